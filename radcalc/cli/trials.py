@@ -120,6 +120,8 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
                 answered = answered._replace(remark=_turned(proposal))
             made.append(answered)
         except errors.RadcalcError as further:
+            if "definitions" in dict(proposal.inputs):  # a word of theirs is not another unit
+                continue
             if proposal.inputs or not proposal.without or isinstance(error, errors.Exclusive):
                 lacking.append((trial, further, way))
     if made:

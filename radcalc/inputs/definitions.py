@@ -61,8 +61,8 @@ _loaded: dict[tuple[str, bytes], tuple[str, ...]] = {}  # files with their conte
 def load(path: str) -> tuple[str, ...]:
     """Add the definitions of a file to the tables of units, constants and spectra.
 
-    Returns their names.  Raises RadcalcError, with the line and the column, for a definition that is not possible; the
-    tables are then as before.
+    Returns their names.  Raises RadcalcError, with the line and the column, for a definition that
+    is not possible; the tables are then as before.
     """
     with readable(path, EXPECTED) as name:
         # The reader of a pipe without a writer waits for ever.
