@@ -393,7 +393,7 @@ def test_a_mention_on_the_command_line_is_not_spelled(words):
 
 def test_the_name_of_a_file_is_not_a_mention(tmp_path):
     path = tmp_path / f"{MENTION}.csv"
-    path.write_text("400,1\n500,2\n600,1\n")
+    path.write_text("nm,W\n400,1\n500,2\n600,1\n")
     for words in (
         "spectrum",
         "convert 1 lx W/m2 --spectrum",

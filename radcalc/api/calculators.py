@@ -292,6 +292,7 @@ def _joined(parts: Sequence[Value]) -> Value:
 
 
 def _rows(sources: Any) -> str | list[Any]:
+    """Return the path of a scene, or its rows with plain values."""
     if isinstance(sources, (str, os.PathLike)):
         return os.fspath(sources)
     try:

@@ -137,17 +137,21 @@ def _no_such_option(typed: str, called: str, words: list[str]) -> errors.Radcalc
     if called and typed in TARGETS:
         hint = _results_in(typed, called, words) or errors.call(called, "--help")
         return errors.RadcalcError(problem, hint)
-    near = [f"--{name}" for name in names_meant(typed[2:], [name[2:] for name in known])]
-    if called and not near and typed.startswith("--") and (takers := _takers(typed)):
-        others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
-        hint = errors.call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
-        return errors.RadcalcError(problem, hint)
-    near = near or errors.nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
-    if near:
-        return errors.RadcalcError(problem, errors.corrections(typed, *near))
+    if near := _near(typed, called, known):
+        return errors.RadcalcError(problem, near)
     manual = errors.call(*filter(None, [called]), "--help")
     is_alone = typed.startswith("--") or words == [typed]
     return errors.RadcalcError(problem, manual if is_alone else errors.drop(typed))
+
+
+def _near(typed: str, called: str, known: list[str]) -> errors.Hint:
+    """Return the hint of an option by its other words, another command that has it, or letters."""
+    near = [f"--{name}" for name in names_meant(typed[2:], [name[2:] for name in known])]
+    if called and not near and typed.startswith("--") and (takers := _takers(typed)):
+        others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
+        return errors.call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
+    near = near or errors.nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
+    return errors.corrections(typed, *near) if near else ""
 
 
 def _doubled(typed: str, known: list[str], words: list[str]) -> list[errors.Try]:

@@ -116,7 +116,7 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
         trial = Trial(call, remark_on(proposal, _pairs(call), given))
         try:
             answered = trial.answered()
-            if answered.rows and not trial.remark:
+            if answered.rows and not trial.remark and not isinstance(error, errors.Exclusive):
                 answered = answered._replace(remark=_turned(proposal))
             made.append(answered)
         except errors.RadcalcError as further:

@@ -178,7 +178,7 @@ GRID = {
 }
 # W/m2/eV has the dimension of 1/(m2 s), and photon/eV that of an efficacy: the units decide.
 _BY_ENERGY = {
-    dimensions.times(dimension, dimensions.ENERGY, -1): (*facts[:-1], PER_ENERGY)
+    tuple(map(sub, dimension, dimensions.ENERGY)): (*facts[:-1], PER_ENERGY)
     for dimension, facts in GRID.items()
     if facts[-1] == NONE
 }

@@ -25,7 +25,7 @@ NANOMETRES = {  # in a unit, by its name in lower case
     "mm": 1e6,
     "m": 1e9,
 }
-NAMES: tuple[str, ...] = ("lambda", "λ", "wl", "wave", "wvl", "w", "w.length", "wellenlänge")
+NAMES: tuple[str, ...] = ("lambda", "λ", "wl", "wave", "wvl", "w.length", "wellenlänge")
 NAMES += ("longueur d'onde", "longitud de onda", "vlnová délka", "длина волны")
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
 DECLARED = re.compile(

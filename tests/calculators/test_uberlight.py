@@ -171,7 +171,12 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1cd,", "has 4 coordinates", "1,0,2"),
         ("1cd,0cd,1cd", "a coordinate is a length", "without cd"),
         ("0,0,1 --near 2m:1m", "--near 2m:1m ends before it starts", "--near 1m:2m"),
-        ("0,0,1 --near 2m", "is not an interval", "--near 1m:2m", ", from 1m to 2m"),
+        (
+            "0,0,1 --near 2m",
+            "is not an interval",
+            "--near 1m:2m",
+            ", from 1m to 2m, --near 1m:2m is an example",
+        ),
         ("0,0,1 --near 1:2", "the unit of --near 1:2 is missing", "--near 1m:2m"),
         ("0,0,1 --near -1m:2m", "is out of range", "--near 1m:2m", " (--near: 0 or more)"),
         (

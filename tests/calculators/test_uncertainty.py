@@ -265,7 +265,7 @@ def test_texts_are_explained_with_their_shares():
 
 
 @pytest.mark.parametrize(
-    ("number", "problem"), [(math.nan, "is not a number"), (math.inf, "is out of range")]
+    ("number", "problem"), [(math.nan, "is not a number"), (math.inf, "is infinite")]
 )
 @pytest.mark.parametrize("make", [float, lambda number: ufloat(number, 1)])
 def test_other_values_than_numbers_are_refused(number, problem, make):

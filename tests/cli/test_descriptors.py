@@ -139,7 +139,7 @@ def test_an_error_is_printed_on_a_full_pipe_that_does_not_block():
     assert said.startswith(b"radcalc: unknown unit 'zork'\ntry: ")
 
 
-SPECTRUM = "".join(f"{k},{1 + (k % 7)}\n" for k in range(380, 781))
+SPECTRUM = "nm,value\n" + "".join(f"{k},{1 + (k % 7)}\n" for k in range(380, 781))
 READERS = {
     "spectrum": (("spectrum", "-", "-g", "luminous-efficacy:lm/W"), SPECTRUM),
     "condition": (("convert", "1", "W", "lm", "--spectrum", "-"), SPECTRUM),
