@@ -27,6 +27,7 @@ from radcalc.units.registry import light_registry
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any
 
+FINITE = "finite numbers, or NaN for a missing one"
 ONE_EACH = "one value of each, or without the uncertainty"
 WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
 
@@ -292,6 +293,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         magnitude, source = value, None
     is_one = isinstance(magnitude, (int, float)) and abs(magnitude) < LARGEST
     conversion = _plan_of(source, target, given, f"{magnitude:.12g}" if is_one else "1")
+    if is_uncertain(magnitude) and abs(magnitude.nominal_value) == INFINITE:
+        raise NumberError("the value is infinite", FINITE)
     if _has_uncertainty(magnitude):
         return conversion, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
@@ -301,7 +304,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         hint = "real numbers" if arguments.is_quantity(value) else "a text, a quantity or numbers"
         magnitude = real(magnitude, "the value", hint)
     if any_true(abs(magnitude) == INFINITE):
-        raise NumberError("the value is infinite", "finite numbers, or NaN for a missing one")
+        raise NumberError("the value is infinite", FINITE)
     return conversion, magnitude, given
 
 

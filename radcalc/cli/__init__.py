@@ -53,13 +53,14 @@ def _refuse(error: RadcalcError, words: list[str]) -> int:
 
 def _load_definitions(words: list[str]) -> None:
     """Load the user's definitions, if there are any."""
-    if path := terminal.definitions_file(_value_of_option(words)):
+    if path := terminal.definitions_file(value_of_option(words)):
         from radcalc.inputs import definitions
 
         definitions.load(path)
 
 
-def _value_of_option(words: list[str]) -> str | None:
+def value_of_option(words: list[str]) -> str | None:
+    """Return the file of definitions that the words of a call name."""
     for word, following in zip(words, [*words[1:], ""], strict=False):
         name, is_joined, value = word.partition("=")
         if name == OPTION:

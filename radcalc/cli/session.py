@@ -17,13 +17,13 @@ from radcalc import terminal
 from radcalc.answer import Result, Row
 from radcalc.calculators import COMMANDS
 from radcalc.calculators.page import DEFAULTS
-from radcalc.cli import boundary
+from radcalc.cli import OPTION, boundary, value_of_option
 from radcalc.cli.command import commands, context, protect_negatives
 from radcalc.cli.output import decide
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.conversion.operands import read_operands
-from radcalc.errors import RadcalcError, UsageError, add, listed, quote
+from radcalc.errors import RadcalcError, UsageError, add, call, listed, quote
 from radcalc.quantities import LUMINOUS, symbols
 from radcalc.quantities.names import full_name
 from radcalc.quantities.search import is_name
@@ -123,6 +123,9 @@ class Session:
         self.count += 1
         called = self.read(text)
         words[:] = _as_typed(called, split(text))
+        if (file := value_of_option(words)) is not None:  # its units are units in every line
+            start = call("prompt", OPTION, file or "FILE")
+            raise UsageError(f"{OPTION} is read once, when radcalc starts", start)
         amount = _amount(called)
         if amount and (name or not _is_plain(amount) or self._has_names(text)):
             answer = partial(self._show, amount, called)

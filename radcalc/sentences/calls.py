@@ -6,8 +6,8 @@ from radcalc import errors
 from radcalc.calculators import SUMMARIES, page_of
 from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
+from radcalc.quantities import name_of, symbols
 from radcalc.quantities import read as read_light
-from radcalc.quantities import symbols
 from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
 from radcalc.sentences import doubts, near_words, size_of
@@ -41,10 +41,8 @@ from radcalc.sentences.used import (
     quotients_or_products,
     refuse_unused,
 )
-from radcalc.units import Daily
-from radcalc.units.dimensions import (
-    TEMPERATURE,
-)
+from radcalc.units import NUMBER, Daily
+from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
 
@@ -91,11 +89,16 @@ def call_of(sentence: Sentence) -> list[str]:
         parts = [fact.typed for fact in sentence.facts]
         wanted = f" and gives {quote(sentence.goals[0].text)}" if sentence.goals else ""
         what = ", ".join(map(quote, parts)) or "these words"
-        raise errors.UsageError(
-            f"no command takes {what}{wanted}",
-            "a call of the command that calculates it",
-        )
+        raise errors.UsageError(f"no command takes {what}{wanted}", _about(sentence))
     raise _several(sentence, calls)
+
+
+def _about(sentence: Sentence) -> "errors.Hint":
+    """Return a hint about what is asked for: the call that finds what gives this quantity."""
+    unit = sentence.goals[0].unit if sentence.facts and sentence.goals else None
+    if unit is None or unit.dimension == NUMBER:
+        return "a call of the command that calculates it"
+    return call("help", *name_of(unit).split())
 
 
 def _either(first: Sentence, second: Sentence) -> list[str]:

@@ -70,10 +70,20 @@ def test_a_line_is_answered_as_at_the_shell(path):
             continue
         if command.split()[1] == "prompt" or NEEDS_QUOTES in output:  # a shell expands *
             continue
+        if "--definitions" in command:  # which are read when radcalc starts
+            continue
         with standard_streams(b"", together=True) as (out, _):
             status = Session().answer(command)
             out.seek(0)
             assert out.read().decode() + (f"[{status}]\n" if status else "") == output, command
+
+
+def test_definitions_are_not_read_in_a_line(typed):
+    """The option was taken and its file left out: the line was answered without its units."""
+    assert typed("100 lx fc --definitions own.txt") == (
+        "radcalc: --definitions is read once, when radcalc starts\n"
+        "try: radcalc prompt --definitions own.txt\n"
+    )
 
 
 def test_the_last_answer_is_a_value_with_its_unit(typed):

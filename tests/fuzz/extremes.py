@@ -62,7 +62,7 @@ def call(words: list[str]) -> tuple[int, str]:
     """Run a command in this process; return its status and output."""
     out = io.StringIO()
     with (
-        mock.patch.object(terminal, "write", out.write),
+        mock.patch.object(terminal, "write", lambda text, **_: out.write(text)),
         contextlib.redirect_stderr(io.StringIO()),
     ):
         return cli.run(words), out.getvalue()

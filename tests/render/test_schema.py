@@ -59,7 +59,7 @@ def piped(called):
     for path in FILES:
         for command, output in transcripts(path):
             text, pipe, words = command.partition(" | ")
-            is_plain = words.startswith(f"radcalc {called} ") and not set("|<>$") & set(words)
+            is_plain = words.startswith(f"radcalc {called} ") and not set("|<>$;") & set(words)
             if pipe and is_plain and not output.endswith("[2]\n"):
                 yield text, shlex.join(words_of(words))
 

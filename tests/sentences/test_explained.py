@@ -100,7 +100,10 @@ REFUSED = {
         "--explain does not apply to convert",
         "try: radcalc convert 100 lx fc\n     9.2903 fc\n",
     ),
-    "--explain": ("a sentence is missing", "try: radcalc 20000 cd at 8 m to lx\n     312.5 lx\n"),
+    "--explain": (
+        "a sentence is missing",
+        "try: radcalc 20000 cd at 8 m to lx\n     312.5 lx, an example\n",
+    ),
     "20000 cd at 8 m --explain -n": (
         "-n does not apply to --explain",
         "try: radcalc 20000 cd at 8 m --explain\n",
