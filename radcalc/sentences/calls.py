@@ -93,12 +93,13 @@ def call_of(sentence: Sentence) -> list[str]:
     raise _several(sentence, calls)
 
 
-def _about(sentence: Sentence) -> "errors.Hint":
+def _about(sentence: Sentence) -> str:
     """Return a hint about what is asked for: the call that finds what gives this quantity."""
-    unit = sentence.goals[0].unit if sentence.facts and sentence.goals else None
+    has_amount = any(fact.amount and not is_bare(fact) for fact in sentence.facts)
+    unit = sentence.goals[0].unit if has_amount and sentence.goals else None
     if unit is None or unit.dimension == NUMBER:
         return "a call of the command that calculates it"
-    return call("help", *name_of(unit).split())
+    return errors.command("help", *name_of(unit).split())
 
 
 def _either(first: Sentence, second: Sentence) -> list[str]:
