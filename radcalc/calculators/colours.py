@@ -15,6 +15,7 @@ CHROMATICITY = "the chromaticity: x and y"
 UNSEEN = "this spectrum is invisible"
 LIT = "a spectrum with light from 360 nm to 830 nm"
 REDDEST = 1000  # temperature [K] of a light that may be called white: a candle has 1900
+NEAR_CHANGE = 0.01  # of the temperature where a reference changes
 COLOURS = ("x", "y", "cct", "duv", "cri")
 SPECIAL = tuple(f"r{k}" for k in range(1, 15))
 BINS = tuple(f"{name}-h{k}" for name, *_ in HUE_BINS for k in range(1, 17))
@@ -86,6 +87,10 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
     if temperature < REDDEST:
         red = f"a light of {temperature:.4g} K is red: colour rendering is meant for white light"
         found.notes.append(Remark(f"cri: {red}", names))
+    change = colorimetry.DAYLIGHT_FROM
+    if abs(temperature / change - 1) < NEAR_CHANGE:
+        turn = f"at {change:g} K the reference changes from a black body to CIE daylight"
+        found.notes.append(Remark(f"cri: {turn}", names))
     try:
         like = colorimetry.reference(temperature).moments(*colorimetry.AT)
         if not colorimetry.is_adapted(light):
@@ -119,6 +124,11 @@ def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> No
         "99 colour samples"
     )
     found.assumptions.append(Remark(standard, RENDITION))
+    low, high = colorimetry.MIXED
+    if low < (temperature := colorimetry.correlated_temperature(source)) < high:
+        mixed = f"R_f of {temperature:.4g} K: from {low:g} K to {high:g} K"
+        note = f"{mixed} the reference is a mix of a black body and CIE daylight"
+        found.notes.append(Remark(note, RENDITION))
     found.notes.extend(_of_gaps("colour rendition", RENDITION, source, colorimetry.SAMPLED))
 
 

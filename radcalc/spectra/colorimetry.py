@@ -398,6 +398,7 @@ def _encoded(part: float) -> float:
 
 
 SAMPLED = 380, 780  # nm: CIE 224
+MIXED = 4000.0, 5000.0  # K: CIE 224 mixes black body and daylight in its reference
 COARSEST = 5.0  # nm: widest step of data for CIE 224
 COLDEST_REFERENCE = 1000.0  # K: lowest temperature of the reference that colour-science finds
 Point = tuple[float, float]

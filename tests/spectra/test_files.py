@@ -211,9 +211,8 @@ def test_a_unit_of_photons_is_never_read_as_watts(unit, place, tmp_path):
     path.write_text(f"{place.format(unit)}400,1\n500,1\n700,1\n", encoding="utf-8")
     table = read_file(str(path))
     assert table.absolute == "irradiance"
-    # h c N_A / lambda in W per umol/s, and the trapezoid of three points by hand:
-    # 50 (1/400 + 1/500) + 100 (1/500 + 1/700) = 0.567857
-    assert table.total() == pytest.approx(119.62656564 * 0.567857143, rel=1e-8)
+    # h c N_A / lambda in W per umol/s; the integral of 1/lambda is ln(700/400) = 0.5596157879
+    assert table.total() == pytest.approx(119.62656564 * 0.5596157879, rel=1e-7)
 
 
 def test_a_comma_and_a_blank_separate_columns(tmp_path):
@@ -402,7 +401,9 @@ def test_a_unit_is_found_anywhere_in_a_title(text, tmp_path):
     table = read_file(str(path))
     assert table.absolute == "irradiance"
     # h c N_A / lambda of CODATA 2018: 0.11962656 J m/mol, so 1 umol at 500 nm is 0.23925 J
-    assert table.values[1] == pytest.approx(3 * 0.11962656e9 / 500 * 1e-6, rel=1e-7)
+    assert table.values[list(table.grid).index(500)] == pytest.approx(
+        3 * 0.11962656e9 / 500 * 1e-6, rel=1e-7
+    )
 
 
 @pytest.mark.parametrize(
@@ -440,8 +441,32 @@ def test_photons_are_converted_to_watts(head, absolute, said, tmp_path):
     # h c N_A = 0.119626565... J m/mol in the SI: 1 umol at 400 nm is 0.299 J
     micromole = 0.11962656564 / 400e-9 * 1e-6
     assert table.values[0] == pytest.approx(micromole if absolute else 4.96611e-19, rel=1e-5)
-    ratios = [value / table.values[0] for value in table.values]
-    assert ratios == pytest.approx([1, 400 / 500, 400 / 700], rel=1e-12)
+    ratios = [
+        value / table.values[0] * x / 400 for x, value in zip(table.grid, table.values, strict=True)
+    ]
+    assert ratios == pytest.approx([1] * len(ratios), rel=1e-12)
+
+
+@pytest.mark.parametrize(("title", "efficacy"), [("photons", 274.950), ("W/m2/nm", 284.044)])
+def test_the_quantity_of_a_table_is_straight_between_its_points(title, efficacy, tmp_path):
+    """Photons turned into watts at the points alone gave 276.216 lm/W.
+
+    The efficacies are trapezoids of V(lambda) of colour 0.4.7 over 3,000,001 points; radcalc sums
+    over 1 nm.
+    """
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"nm,{title}\n400,1\n500,2\n600,2\n700,1\n", encoding="utf-8")
+    done = run("spectrum", str(path), "-g", "luminous-efficacy", "-q", "-n")
+    assert float(done.stdout) == pytest.approx(efficacy, rel=1e-5)
+
+
+def test_the_photons_of_a_table_are_those_of_its_straight_lines(tmp_path):
+    """Trapezoids by hand: 150 + 200 + 150 umol/m2/s."""
+    path = tmp_path / "lamp.csv"
+    rows = "400,1\n500,2\n600,2\n700,1\n"
+    path.write_text(f"nm,SPFD [umol/m2/s/nm]\n{rows}", encoding="utf-8")
+    done = run("spectrum", str(path), "-g", "photon-irradiance", "-q", "-n")
+    assert float(done.stdout) == pytest.approx(500, rel=1e-7)
 
 
 @pytest.mark.parametrize("head", ["nm,value", "nm,Relative intensity (%)", "nm,LED-B3 1", "# WL I"])

@@ -3,6 +3,7 @@
 import warnings
 
 import pytest
+from conftest import run
 
 from radcalc.spectra.colorimetry import Undefined, load_colour, reference_of, rendition, similarity
 from radcalc.spectra.data.sources import SOURCES
@@ -122,3 +123,20 @@ def test_the_reference_changes_at_4000_k():
 def test_light_outside_of_the_bands_has_no_similarity():
     with pytest.raises(Undefined, match="no power from 375 nm to 675 nm"):
         similarity(spectrum("line:800nm"), spectrum("D65"))
+
+
+@pytest.mark.parametrize(
+    ("spectrum", "is_mixed", "changes"),
+    [
+        ("blackbody:3990K", False, False),
+        ("blackbody:4500K", True, False),  # R_f is 98.4 of a perfect black body: CIE 224
+        ("blackbody:4960K", True, True),
+        ("blackbody:5040K", False, True),  # R_a falls from 100 to 98.6 here: CIE 13.3
+        ("blackbody:5060K", False, False),
+    ],
+)
+def test_a_change_of_the_reference_is_noted(spectrum, is_mixed, changes):
+    notes = run("spectrum", spectrum, "-g", "rf,cri").stderr
+    assert ("the reference is a mix of a black body and CIE daylight" in notes) == is_mixed
+    assert ("cri: at 5000 K the reference changes" in notes) == changes
+    assert "note" not in run("spectrum", spectrum, "-g", "x").stderr
