@@ -147,13 +147,12 @@ class ScaledPlan(Plan):
 
     def __init__(self, source: Unit, target: Unit, linear: Plan) -> None:
         super().__init__(linear.source, linear.target, linear.factor, linear.links)
-        self.notes = linear.notes
         self.linear, self.ends = linear, (source, target)
         self.source, self.target = _plain(source), _plain(target)
-        read = [
-            unit.describe(settable=True) for unit in (source, target) if isinstance(unit, ScaleUnit)
-        ]
-        self.assumptions = (*dict.fromkeys(read), *linear.assumptions)
+        scales = [unit for unit in (source, target) if isinstance(unit, ScaleUnit)]
+        assumed = {unit.describe(): unit.describe(settable=True) for unit in scales}
+        self.notes = tuple(note for note in linear.notes if note not in assumed)
+        self.assumptions = (*assumed.values(), *linear.assumptions)
 
     def quantity(self, value: Any) -> Any:
         return self._in_target_unit(value) if self.target.is_scale else self.apply(value)

@@ -288,3 +288,11 @@ def test_the_table_of_units_has_the_names_of_scales():
 def test_a_scale_in_a_product_is_refused_as_a_scale_before_any_scale_is_read():
     code = "from radcalc.units.table import resolve\nresolve('Wh/dBm')"
     assert "'dBm' is a scale" in python(code).stderr
+
+
+@pytest.mark.parametrize("words", ["(21 mag/arcsec2)*2 mag/arcsec2", "13 EV - 3 stops EV"])
+def test_a_scale_of_an_expression_and_of_its_target_is_said_once(words):
+    text, _, target = words.rpartition(" ")
+    said = run("convert", text, target).stderr.splitlines()
+    assert len(said) == 1
+    assert said[0].startswith(f"assumed: {target}: ")
