@@ -383,13 +383,16 @@ def _canonical(words: list[str]) -> list[str]:
     is_convert = words[:1] == ["convert"]
     if not words or _is_other(words[0], words[is_convert:]):
         return words
-    operands, options, typed = _parts(words[is_convert:])
-    ends = list(typed.values())
-    if is_sentence(operands[:1]):  # it has a value, or the - of a stream
-        _refuse_second_unit(operands, typed)
-        between = ["to"] if len(ends) == 1 else []
-        return _said("convert", *operands, *between, *ends, *options) if ends else words
-    source, target = _sides([*operands, *ends])
+    operands, options, ends = _parts(words[is_convert:])
+    value = operands[: is_sentence(operands[:1])]  # also the - of a stream
+    sides, last = operands[len(value) :], [ends[name] for name in ENDS[1:] if name in ends]
+    if ENDS[0] in ends:
+        sides = _after_source(value, sides, ends[ENDS[0]], last)
+    else:
+        sides += ["to", *last] if value and last else last
+    if value:
+        return _said("convert", *value, *sides, *options) if ends else words
+    source, target = _sides(sides)
     if not _is_target(target):
         return words
     units = [*filter(None, (source, target))]
@@ -405,16 +408,29 @@ def _canonical(words: list[str]) -> list[str]:
     return ["convert", "to", target, *options] if has_word and not source else words
 
 
-def _refuse_second_unit(operands: list[str], ends: dict[str, str]) -> None:
-    """Refuse the unit of --from after a value with its own unit: 500 lx --from fc."""
+def _after_source(value: list[str], sides: list[str], source: str, last: list[str]) -> list[str]:
+    """Return the unit of --from and the target; refuse another unit, and a missing target.
+
+    The `sides` are the words after the value, `last` is the unit of --to.
+    """
     from radcalc.units.numbers import split_quantity
 
-    source, unit = ends.get(ENDS[0], ""), "".join(operands[1:2])
+    targets = [*[side for side in sides if side not in TO], *last]
+    is_number = value not in ([], ["-"])
+    is_unit = len(targets) > 1 or (is_number and sides != [] and sides[0] not in TO)
+    unit = targets[0] if is_unit else ""
     with suppress(RadcalcError):
-        unit = split_quantity(operands[0])[1] or unit
-    if source and unit and operands[0] != "-":
-        problem = f"{quote(operands[0])} has two units: {quote(unit)} and --from {quote(source)}"
-        raise UsageError(problem, call("convert", *operands, "to", source))
+        unit = (is_number and split_quantity(value[0])[1]) or unit
+    if unit:
+        problem = (
+            f"{quote((*value, *sides)[0])} has two units: {quote(unit)} and --from {quote(source)}"
+        )
+        readings = [[source, unit], [unit, "to", source]] if targets == [unit] else [targets]
+        readings = readings if targets else [["to", source]]
+        raise UsageError(problem, [call("convert", *value, *each) for each in readings])
+    if not targets and not is_number:
+        raise UsageError("a target is missing: --to", call("convert", "1", source))
+    return [source, *targets]
 
 
 def _is_other(first: str, words: list[str]) -> bool:

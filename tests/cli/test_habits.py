@@ -8,6 +8,7 @@ from conftest import python
 from helpers import for_each
 
 from radcalc.cli import spelling
+from radcalc.errors import UsageError
 
 PIPED = [  # with standard input from a pipe: what is typed, and the call that it means
     ("to fc", "convert - fc"),
@@ -23,6 +24,9 @@ PIPED = [  # with standard input from a pipe: what is typed, and the call that i
     ("convert lx illuminance", "convert - lx illuminance"),
     ("convert ppfd lx --spectrum sun", "convert - ppfd lx --spectrum sun"),
     ("convert - --from lx --to fc", "convert - lx fc"),
+    ("convert - ft --from m", "convert - m ft"),
+    ("- to ft --from=m", "convert - m ft"),
+    ("--from m ft", "convert - m ft"),
     ("footcandle lx", "convert 1 footcandle lx"),
     ("in cm", "convert 1 in cm"),
 ]
@@ -37,6 +41,9 @@ ALONE = [  # without a pipe
     ("convert --to=fc --from=lx 500", "convert 500 lx fc"),
     ("500 --from lx --to fc -n", "convert 500 lx fc -n"),
     ("500 lx --to fc", "convert 500 lx to fc"),
+    ("500 --from lx", "convert 500 lx"),
+    ("10 to ft --from m", "convert 10 m ft"),
+    ("10 --to ft m", "convert 10 m to ft"),
     ("-30 mW --to uW", "convert -30 mW to uW"),
     ("convert --from lx --to fc", "convert 1 lx fc"),
     ("to fc", "convert to fc"),
@@ -76,6 +83,24 @@ def test_other_calls_are_as_they_were(typed):
             assert spelling.canonical(typed.split()) == typed.split()
 
 
+TWO_UNITS = {  # calls with another unit next to --from, and the calls that their hints propose
+    "10 ft --from m": ["convert 10 m ft", "convert 10 ft to m"],
+    "500lx fc --from fc": ["convert 500lx fc"],
+    "500lx --from fc": ["convert 500lx to fc"],
+    "10 m ft --from s": ["convert 10 m ft"],
+    "- m ft --from s": ["convert - m ft"],
+    "m ft --from s": ["convert m ft"],
+    "- --from m": ["convert 1 m"],
+}
+
+
+@for_each(TWO_UNITS)
+def test_two_units_are_refused(typed):
+    with pytest.raises(UsageError) as caught:
+        spelling.canonical(typed.split())
+    assert [" ".join(one.words) for one in caught.value.tries] == TWO_UNITS[typed]
+
+
 def radcalc(words: str, given: str | None) -> subprocess.CompletedProcess[str]:
     stdin = {"input": given} if given is not None else {"stdin": subprocess.DEVNULL}
     return subprocess.run(
@@ -95,6 +120,11 @@ def test_the_kind_of_standard_input_decides():
     done = radcalc("to fc", None)
     assert done.returncode == 2
     assert "try: radcalc convert - fc\n" in done.stderr
+
+
+def test_the_unit_of_from_is_that_of_the_value():
+    # 1 ft is 0.3048 m exactly
+    assert radcalc("convert - ft --from m -q", "3.048\n").stdout == "10\n"
 
 
 def test_two_units_before_a_pipe_are_a_value_or_the_units_of_its_lines():
