@@ -44,7 +44,9 @@ COUNT = re.compile(r":\s*\d+\s*")  # the last line of SpectraWiz
 INDICES = ("#", "pixel", "pixels", "index", "no", "no.", "nr", "nr.", "row", "line", "point")
 DIGIT = re.compile(r"\d")
 WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 scans averaged
-FINE = 5e-4  # of a wavelength: a step over which watts of a straight line of photons are straight
+DENSE = 1 / 300  # steps of photons, as parts of their wavelength: their sums are within 2e-6
+FINE = 1 / 2000  # steps between the points of a coarser table: within 5e-8
+BETWEEN = 2000  # of them at most, from one point to the next
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
@@ -577,22 +579,6 @@ def _gaps(grid: Sequence[float]) -> list[str]:
     return [f"a step of {longest:g} at {place:g}, while most are {usual:g}: a row may be missing"]
 
 
-def _refined(
-    grid: Sequence[float], values: Sequence[float]
-) -> tuple[Sequence[float], Sequence[float]]:
-    """Return a table of photons with points between its own, on straight lines.
-
-    Watts are photons over wavelength: between the points they are straight to a relative 1e-7.
-    """
-    xs: list[float] = []
-    ys: list[float] = []
-    for (a, u), (b, v) in pairwise(zip(grid, values, strict=True)):
-        count = max(1, math.ceil((b - a) / (FINE * a)))
-        xs += [a + (b - a) * k / count for k in range(count)]
-        ys += [u + (v - u) * k / count for k in range(count)]
-    return [*xs, grid[-1]], [*ys, values[-1]]
-
-
 def _table(
     name: str,
     grid: Sequence[float],
@@ -603,8 +589,9 @@ def _table(
     """Return a spectrum in metres and watts: of photons, divided by their wavelengths."""
     xs: Any
     ys: Any
+    points = grid
     if meant.are_photons:
-        grid, values = _refined(grid, values)
+        grid, values = _finer(grid, values)
     if len(grid) > MANY:
         import numpy
 
@@ -620,7 +607,24 @@ def _table(
             ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
         table = Table(name, xs, ys, absolute=meant.absolute)
     table.reading = meant.said
+    if meant.are_photons:
+        table.measured = [x * nanometres for x in points]
     return table
+
+
+def _finer(grid: Sequence[float], values: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Return photons with more points on the lines between those of a coarse table.
+
+    Photons that lie on a line are watts on a curve, as each photon has h c/lambda.
+    """
+    xs, ys = [grid[0]], [values[0]]
+    for (a, low), (b, high) in pairwise(zip(grid, values, strict=True)):
+        step = (b - a) / a
+        count = min(math.ceil(step / FINE), BETWEEN) if step > DENSE else 1
+        shares = [k / count for k in range(1, count + 1)]
+        xs += [(1 - share) * a + share * b for share in shares]
+        ys += [(1 - share) * low + share * high for share in shares]
+    return xs, ys
 
 
 def _named(titles: Sequence[str], places: Sequence[int]) -> str:

@@ -208,6 +208,7 @@ class Table(Spectrum):
         super().__init__(label, self.known if limits == WHOLE else limits, notes)
         self.grid = frozen(grid)
         self.values = frozen(values)
+        self.measured: Sequence[float] = self.grid  # without the points in between
         self.absolute = absolute
         self._left_out = left_out
 
@@ -229,7 +230,7 @@ class Table(Spectrum):
 
     @property
     def widest_step(self) -> float:  # type: ignore[override]
-        inside = [x for x in self.grid if VISIBLE[0] <= x <= VISIBLE[1]]
+        inside = [x for x in self.measured if VISIBLE[0] <= x <= VISIBLE[1]]
         return max((b - a for a, b in pairwise(inside)), default=math.inf)
 
     def part(self, limits: Range) -> Spectrum | None:

@@ -161,6 +161,7 @@ def is_of(found, table: Rows, unit: str) -> bool:
     return all(
         x in written and math.isclose(y, written[x], rel_tol=1e-9)
         for x, y in zip(found.grid, found.values, strict=True)
+        if x in found.measured  # photons have points in between
     )
 
 
@@ -174,7 +175,7 @@ def sweep(count: int, seed: int) -> str:
         text, unit = write(table)
         found = read(encoded(text))
         assert not isinstance(found, Exception), (found, text[:400])
-        assert len(found.grid) == len(table), text[:400]
+        assert len(found.measured) == len(table), text[:400]
         assert is_of(found, table, unit), text[:400]
         assert bool(found.absolute) == bool(unit), text[:400]
         text = damaged(text)
@@ -191,7 +192,7 @@ def sweep(count: int, seed: int) -> str:
             assert "relative" in found.described, text[:400]
             assert is_of(found, table, "") or is_of(found, table, unit), text[:400]
         if f"Number of Pixels in Spectrum: {len(table)}\n" in text.partition(">>>>>")[0]:
-            assert len(found.grid) == len(table), text[:400]
+            assert len(found.measured) == len(table), text[:400]
         read(encoded(mutated(text)))
     return f"{count} files and as many damaged ones; {refused} were refused"
 
