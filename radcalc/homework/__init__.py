@@ -22,11 +22,13 @@ from radcalc.calculators.results import (
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import diagnosis
 from radcalc.homework.question import (
+    PRINTED,
     Claim,
     Diagnosis,
     Question,
     Tolerance,
     decimal,
+    in_its_unit,
     is_rounded,
     read_claim,
     read_tolerance,
@@ -179,6 +181,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
 
 def _check(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
     """Judge an answer to a question with one solution."""
+    question = in_its_unit(question, claim.unit)
     readings = _readings(question, claim, asked_tolerance)
     if not readings:
         return _in_wrong_unit(question, claim, asked_tolerance)
@@ -324,8 +327,9 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         done = Translatable(
             "to the {0} digit given", claim.digits, plural="to the {0} digits given"
         )
-    nearer = Translatable("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
-    return (Diagnosis(ROUNDED, done, nearer),)
+    texts = [f"{reading.right:.{digits}g}" for digits in range(max(3, claim.digits + 1), PRINTED)]
+    nearer = next((text for text in texts if float(text) != claim.value), claim.number)
+    return (Diagnosis(ROUNDED, done, Translatable("{0} is nearer", nearer)),)
 
 
 def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:

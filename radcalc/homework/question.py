@@ -13,7 +13,7 @@ from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import page_of
 from radcalc.calculators.solved import Task
 from radcalc.calculators.uncertainty import value_of, with_uncertainties
-from radcalc.conversion import Plan
+from radcalc.conversion import Plan, between
 from radcalc.conversion.plan import plan
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
 from radcalc.floats import as_printed, divide
@@ -27,11 +27,12 @@ from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities import GRID, Reading
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol
 from radcalc.spectra.spectrum import BlackBody
-from radcalc.units import NUMBER, Unit
+from radcalc.units import NUMBER, Daily, Unit
 from radcalc.units.amounts import UNCERTAIN
+from radcalc.units.dimensions import ENERGY, FREQUENCY, PHOTON_ENERGY, WAVENUMBER
 from radcalc.units.numbers import DIGITS, Amount, read_number, typed_digits
 from radcalc.units.scale_table import Scale
-from radcalc.units.table import unit_of
+from radcalc.units.table import resolve, unit_of
 from radcalc.units.values import find_scale, refuse_product
 
 HOT_BODY = {  # the laws of the results of a black body's spectrum
@@ -131,6 +132,43 @@ def of_conversion(
     question = Question(answer, conditions, work_out, "convert", plan=conversion, number=number)
     inputs = {**conditions, "": value_of(amount)} if amount else conditions
     return _with_uncertainties(question, inputs, steps)
+
+
+DAY = resolve("day").factor  # s
+A_DAY = resolve("mol/m2/d").dimension, True
+PROPORTIONAL = {FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY}
+
+
+def in_its_unit(question: Question, text: str) -> Question:
+    """Return a question whose answer is also in a unit of the same light, if `text` is one.
+
+    These are a rate per day for a daily light integral, and the axes that are proportional to the
+    frequency: for a spectral density, and for the width of a band.
+    """
+    unit = unit_of(text) if text and question.plan else None
+    if question.plan is None or unit is None or question.plan.target.is_scale:
+        return question
+    target = question.plan.target
+    try:
+        if isinstance(target, Daily) and (unit.dimension, ("day", -1) in unit.atoms) == A_DAY:
+            factor = 1 / DAY
+        elif "wavelength" in question.given and {target.dimension, unit.dimension} <= PROPORTIONAL:
+            factor = plan(target, unit).quantity(1.0) * unit.factor / target.factor
+        else:
+            factor = between(target, unit).quantity(1.0) * unit.factor / target.factor
+    except RadcalcError:
+        return question
+    answers = [
+        answer and answer._replace(values=[_reaching(v, unit, factor) for v in answer.values])
+        for answer in (question.answer, question.uncertain)
+    ]
+    return question._replace(answer=cast("Answer", answers[0]), uncertain=answers[1])
+
+
+def _reaching(value: Value, unit: Unit, factor: float) -> Value:
+    if unit.dimension in value.dimensions:
+        return value
+    return value._replace(reach={**value.reach, unit.dimension: value.amount * factor})
 
 
 class Candidate(NamedTuple):

@@ -71,6 +71,8 @@ def test_right_answers_are_accepted_at_their_digits(words, name, unit):
         ("convert 130 cd lx --distance 2.3m", "25", "the 2 digits", "24.6"),
         ("convert 130 cd lx --distance 2.3m", "2e1", "the digit", "24.6"),
         ("convert 470 lx cd/m2 --reflectance 0.72", "1.1e2", "the 2 digits", "108"),
+        # lb(4000/0.125) = 14.966 is 15.0 to three digits, which is the answer again
+        ("convert 4000 cd/m2 EV", "15EV", "the 2 digits", "14.97"),
     ],
 )
 def test_a_right_answer_in_few_digits_is_not_a_mistake(words, claim, digits, nearer):
@@ -81,6 +83,32 @@ def test_a_right_answer_in_few_digits_is_not_a_mistake(words, claim, digits, nea
         assert found.diagnoses[0].done == f"to {digits} given"
         assert found.diagnoses[0].right == f"{nearer} is nearer"
     assert verdict(words, claim, "10%" if digits != "the digit" else "30%").right
+
+
+LINKED = [  # answers in another unit of the same light, and whether they are right
+    # 600 umol/m2/s for 16 h are 34.56 mol/m2 in the day, and 400 umol/m2/s over 24 h
+    ("600 ppfd dli --photoperiod 16h", "34.6mol/m2/d", True),
+    ("600 ppfd dli --photoperiod 16h", "51.8mol/m2/d", False),
+    ("600 ppfd dli --photoperiod 16h", "400umol/m2/s", False),
+    ("600+-30 ppfd dli --photoperiod 16h", "34.6+-1.7mol/m2/d", True),
+    ("600 ppfd mol/m2 --time 16h", "34.6mol/m2/d", False),
+    # 3 lambda^2/(h c) is 731.95 W/m2/eV; 1 eV is 8065.544 cm-1 and 241.7989 THz (CODATA)
+    ("3 W/m2/nm W/m2/eV --wavelength 550nm", "0.09075W/m2/cm-1", True),
+    ("3 W/m2/nm W/m2/eV --wavelength 550nm", "3.027W/m2/THz", True),
+    ("3 W/m2/nm W/m2/eV --wavelength 550nm", "3.2W/m2/THz", False),
+    ("3 W/m2/nm W/m2/eV --wavelength 550nm", "3W/m2/nm", False),
+    # c 2 nm/(1550 nm)^2 is 249.57 GHz; 1 cm-1 is 29.9792 GHz
+    ("2 nm GHz --wavelength 1550nm", "8.325cm-1", True),
+    ("2 nm GHz --wavelength 1550nm", "1.032meV", True),
+    ("2 nm meV --wavelength 1550nm", "249.6GHz", True),
+    ("2 nm meV --wavelength 1550nm", "6cm-1", False),
+    ("532 nm eV", "563.5THz", False),
+]
+
+
+@for_each(LINKED)
+def test_an_answer_may_be_in_another_unit_of_the_same_light(words, claim, is_right):
+    assert verdict(f"convert {words}", claim).right == is_right, claim
 
 
 @pytest.mark.parametrize(
