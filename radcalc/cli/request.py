@@ -157,9 +157,8 @@ class Request(NamedTuple):
         request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
         refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
-            raise errors.UsageError(
-                "--check cannot be used with --get", errors.one_of("check", "get")
-            )
+            tries = [*_named(request.check, request.wanted), errors.leave_out("check")]
+            raise errors.UsageError("--check cannot be used with --get", tries)
         return request
 
     def wants(self, name: str) -> bool:
@@ -172,6 +171,16 @@ class Request(NamedTuple):
     def narrowed(self, function: Callable[..., Answer], page: Page) -> Callable[..., Answer]:
         """Return the function of a page that also calculates the requested results."""
         return requesting(function, tuple(filter(self.wants, page.on_request)))
+
+
+def _named(claim: str, wanted: "Sequence[str]") -> "list[errors.Try]":
+    """Propose an answer with the name and the unit of a requested result."""
+    from radcalc.homework.question import read_claim
+
+    typed = read_claim(claim)
+    pairs = [text.partition(":")[::2] for text in wanted if not typed.name]
+    claims = [f"{name}={claim}{'' if typed.unit else unit}" for name, unit in pairs] or [claim]
+    return [errors.Try((("check", text),), ("get",), follow=True) for text in claims]
 
 
 def _letters(name: str) -> str:

@@ -134,6 +134,8 @@ def call_meant(
     is_same |= any(input_of(word)[1] not in values for word in inputs)
     if is_same or not is_other(call, typed_words, error):
         raise error
+    if "-g" in call and (claim := values_of(options, None)["check"]) is not None:
+        call, options = _for_check(call, options, claim)
     return call, options, assumptions_of(sentence, found)
 
 
@@ -169,8 +171,6 @@ def as_call(
 def _answer(call: Words, options: Words, assumed: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
     values = values_of(options, gate.listener)
-    if values["check"] is not None and "-g" in call:
-        call, options = _for_check(call, options, values["check"])
     if "-g" in call and _has_unit(values):
         results = hear([*call, *STEPS.spellings] if values[STEPS.parameter] else call)
         output = decide(**{name: values[name] for name in DEFAULTS}, listener=gate.listener)
