@@ -3,7 +3,7 @@
 import math
 import os
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -30,6 +30,7 @@ from radcalc.units.ranges import size_of
 Words = list[str]
 ANSWERS = 100  # of a call that is made
 LONG = ("scene",)  # commands with many answers
+CELLS = 4096  # of its integral
 LARGEST = 1 << 20  # bytes of the files of a call that is made
 IN_SHORT = {"get": "-g", "number": "-n"}
 TURNED = ("incidence", "tilt")  # angles that are 0 if they are left out
@@ -66,7 +67,8 @@ class Trial(NamedTuple):
         has_check = len(words) < len(self.words)
         words = _without(words, "--tolerance", {})[0] if has_check else words
         try:
-            rows = _results(words) if _is_short(words) else ()
+            with _limits(words):
+                rows = _results(words) if _is_short(words) else ()
         except (errors.RadcalcError, click.UsageError) as error:
             from radcalc.cli import sentence
 
@@ -82,6 +84,15 @@ class Trial(NamedTuple):
         with suppress(errors.RadcalcError):  # a stream has no call in Python
             record["call"] = _in_python(self.words)
         return record | dict(*first)
+
+
+def _limits(words: Words) -> AbstractContextManager[None]:
+    """Return the limits of the work of a call that is made for a hint."""
+    if called_in(words) != "integrate":
+        return nullcontext()
+    from radcalc.geometry.numerics.cubature import at_most
+
+    return at_most(CELLS)
 
 
 def refuse(error: errors.RadcalcError, words: Words) -> int:

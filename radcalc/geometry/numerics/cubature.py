@@ -4,7 +4,8 @@ The module needs NumPy.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy
@@ -18,7 +19,7 @@ INSIDE = 1e-11  # [1] of half a side: distance of their end points from its ends
 FIRST = (8, 16)  # cells in polar angle and azimuth, before all are quartered once
 FIRST_OF_AXIAL = (256, 1)  # for axial functions, which are cheaper
 GAP = 0.2  # [1] of a side: widest circle in a cell without a point
-MOST = 100_000  # cells in all
+MOST = [100_000]  # cells in all, unless `at_most` limits them
 WORK = 1e10  # largest cost of the function in all: points times the cost of each
 DEEPEST = 32  # levels of cells; a function that needs more has a pole
 BATCH = 2_000  # cells at a time, to limit the memory
@@ -216,6 +217,33 @@ def narrowest(polar: Interval, azimuth: Interval, is_axial: bool = False) -> tup
     return across, along
 
 
+@contextmanager
+def at_most(cells: int) -> Iterator[None]:
+    """Limit the cells of each integral, so that one that needs more is refused at once.
+
+    Parameters
+    ----------
+    cells : int
+        Largest number of cells.
+
+    Returns
+    -------
+    context manager
+        The limit holds within it.
+
+    Examples
+    --------
+    >>> with at_most(1):
+    ...     MOST[-1]
+    1
+    """
+    MOST.append(cells)
+    try:
+        yield
+    finally:
+        MOST.pop()
+
+
 def over_directions(
     function: Function,
     polar: Interval,
@@ -291,7 +319,7 @@ def over_directions(
     if is_axial:  # digits cost little, and with few digits a pole may look like an integral
         accuracy = min(accuracy, COARSEST_OF_AXIAL)
     grid = _Grid(function, polar, azimuth, is_axial, steps)
-    most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
+    most = min(MOST[-1], WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
     split = numpy.arange(len(grid.value))
     while True:
         grid.quarter(split)

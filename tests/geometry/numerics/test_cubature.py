@@ -1,13 +1,15 @@
 """Integrals over directions with known values."""
 
 import math
+import re
 
 import mpmath
 import pytest
+from conftest import run
 from helpers import for_each
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.numerics.cubature import over_directions
+from radcalc.geometry.numerics.cubature import at_most, over_directions
 from radcalc.geometry.numerics.expression import Expression
 
 PI = math.pi
@@ -164,3 +166,11 @@ def test_functions_without_an_integral_are_refused(text):
     with pytest.raises(ConditionError) as caught:
         integrate(text)
     assert caught.value.hint
+
+
+def test_an_integral_of_a_trial_is_refused_after_few_cells():
+    with at_most(600), pytest.raises(ConditionError) as caught:
+        integrate("cos(theta)^1e9")  # a peak of 3e-5 rad
+    assert int(re.findall(r"(\d+) cells", caught.value.message)[0]) < 1200
+    refused = run("integrate", "cos(theta)^1e9")
+    assert (refused.returncode, "try: --sphere, --hemisphere" in refused.stderr) == (2, True)
