@@ -17,8 +17,14 @@ MINUS = "\u2212"  # pasted by people, and used for the - of a number on the comm
 SHOWN = 60  # characters of a text
 LISTED = 10  # names
 MOST = 3  # calls of a hint that a gate makes
+WORDS = 60  # of a sentence or a conversion
 # The marks of a mention: private characters, which `quote` escapes.
 START, VALUE, WORD, END = "\ue000", "\ue001", "\ue002", "\ue003"
+
+
+def is_wordy(words: "Sequence[str]") -> bool:
+    """Return whether words are too many for a sentence, a conversion or a hint."""
+    return len(words) > WORDS or sum([word.count(" ") + 1 for word in words]) > WORDS
 
 
 def printable(text: str) -> str:

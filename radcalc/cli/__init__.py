@@ -7,8 +7,9 @@ plain call of a calculator do without it.
 import os
 
 from radcalc import terminal
+from radcalc.calculators import COMMANDS
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, spelled
-from radcalc.errors import ConditionError, RadcalcError, add
+from radcalc.errors import WORDS, ConditionError, RadcalcError, UsageError, add, call, quote
 
 OPTION = "--definitions"
 # First words of calls that only show texts; they are answered whatever the file of definitions has.
@@ -32,11 +33,19 @@ def run(words: list[str]) -> int:
         from radcalc.cli import lane, spelling
 
         try:
+            _refuse_many(words)
             words = spelling.canonical(words)
         except RadcalcError as error:
             return _refuse(error, words)
         status = lane.answer(words)
     return status if isinstance(status, int) else _with_click(words, status)
+
+
+def _refuse_many(words: list[str]) -> None:
+    """Raise for a conversion or a sentence of very many words, which would take long to read."""
+    if len(words) > WORDS and (words[0] == "convert" or words[0] not in COMMANDS):
+        problem = f"too many words: {quote(' '.join(words[:WORDS]))}"
+        raise UsageError(problem, call("convert", "help="))
 
 
 def _with_click(words: list[str], error: BaseException | None) -> int:

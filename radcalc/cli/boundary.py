@@ -12,7 +12,7 @@ from radcalc.calculators import COMMANDS
 from radcalc.cli import spelling
 from radcalc.cli.command import commands, protect_negatives
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
-from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
+from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity, is_wordy
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -54,6 +54,8 @@ def or_sentence(
     except MissingCondition:
         raise
     except (RadcalcError, click.UsageError) as error:
+        if is_wordy(words):
+            raise
         from radcalc.cli import sentence, trials
 
         run = partial(run_or_refuse, listener=listener)

@@ -17,6 +17,7 @@ from radcalc.errors import (
     TooManyWords,
     UsageError,
     input_of,
+    is_wordy,
 )
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.terminal import FORMATS
@@ -63,7 +64,7 @@ class Call(NamedTuple):
 def answer(words: Words) -> int | BaseException | None:
     """Answer a sentence, or a call of a calculator, without Click; None for whatever is left."""
     if len(words) > 1 and words[0] not in COMMANDS and not any(map(_is_option, words)):
-        return answer_sentence(words)
+        return None if is_wordy(words) else answer_sentence(words)
     return answer_in_full(words) if words and words[0] in SUMMARIES else None
 
 

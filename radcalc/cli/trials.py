@@ -97,7 +97,7 @@ def _limits(words: Words) -> AbstractContextManager[None]:
 
 def refuse(error: errors.RadcalcError, words: Words) -> int:
     """Write an error with the calls that its hint proposes; return the exit status."""
-    shown = trials(error, words)
+    shown = [] if errors.is_wordy(words) else trials(error, words)
     if "--json" in words or " --format json" in f" {' '.join(words)}".replace("=", " "):
         from radcalc.render.json import refusal
 
@@ -105,7 +105,7 @@ def refuse(error: errors.RadcalcError, words: Words) -> int:
         with suppress(errors.OutputError):  # often the error itself
             terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
     hints = lines(error, words, shown) if shown else None
-    if error.tries and not shown and is_refused(error, words):
+    if error.tries and not shown and (errors.is_wordy(words) or is_refused(error, words)):
         hints = [f"try: {' '.join(filter(None, ['radcalc', called_in(words), '--help']))}"]
     return terminal.complain(error, Shell, hints)
 
@@ -215,9 +215,9 @@ def lines(error: errors.RadcalcError, words: Words, shown: Sequence[Trial]) -> l
             texts.append("     " + outcome)
     if others := [f"--{name}" for name in error.others]:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
-    words_instead = [one.instead[1:] for one in error.tries[errors.MOST :]]
-    if further := [quote(" ".join(others)) for others in words_instead if others]:
-        texts.append(f"or {', '.join(further)}")
+    words_instead = [" ".join(one.instead[1:]) for one in error.tries[errors.MOST :]]
+    if further := list(filter(None, dict.fromkeys(words_instead))):
+        texts.append(f"or {errors.listed(further)}")
     return texts
 
 

@@ -80,7 +80,7 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     """
     parts = parts_of(words)
     found = unit_first(parts)
-    if not found and parts and is_divisible(parts, words):
+    if not found and 0 < len(parts) <= errors.WORDS and is_divisible(parts, words):
         found = readings(parts) or (_to_name(parts) if len(words) == 1 else [])
     if len(found) > 1:
         problem = f"'{quote(' '.join(parts))}' has {len(found)} readings"

@@ -6,7 +6,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from radcalc.calculators import SUMMARIES
-from radcalc.errors import RadcalcError, UsageError, input_of
+from radcalc.errors import WORDS, RadcalcError, UsageError, input_of, is_wordy
 from radcalc.quantities import RADIANT
 from radcalc.quantities import read as read_light
 from radcalc.quantities.language import LANGUAGES
@@ -144,6 +144,8 @@ def _read(typed: "list[str]") -> Sentence:
     text = " ".join(typed)
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
+    if is_wordy(typed):
+        raise UsageError(f"a sentence of {len(text.split())} words is too long", f"at most {WORDS}")
     words = _apart(words_of(typed))
     reading = _Reading(words, ENGLISH_ALONE)
     found = _found(text, reading)
