@@ -28,24 +28,19 @@ def run(words: list[str]) -> int:
         terminal.say(terminal.remarks((), [spelled(error.message)]))
     except Exception as error:
         return _with_click(words, error)
+    if len(words) > WORDS and (words[0] == "convert" or words[0] not in COMMANDS):
+        problem = f"too many words: {quote(' '.join(words[:WORDS]))}"
+        return _refuse(UsageError(problem, call("convert", "help=")), words)
     status: int | BaseException | None = None
     if EXPLAIN not in words and words[-1:] not in [[name] for name in HELP_NAMES]:
         from radcalc.cli import lane, spelling
 
         try:
-            _refuse_many(words)
             words = spelling.canonical(words)
         except RadcalcError as error:
             return _refuse(error, words)
         status = lane.answer(words)
     return status if isinstance(status, int) else _with_click(words, status)
-
-
-def _refuse_many(words: list[str]) -> None:
-    """Raise for a conversion or a sentence of very many words, which would take long to read."""
-    if len(words) > WORDS and (words[0] == "convert" or words[0] not in COMMANDS):
-        problem = f"too many words: {quote(' '.join(words[:WORDS]))}"
-        raise UsageError(problem, call("convert", "help="))
 
 
 def _with_click(words: list[str], error: BaseException | None) -> int:

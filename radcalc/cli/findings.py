@@ -31,7 +31,7 @@ from radcalc.errors import (
 from radcalc.quantities import lookup, search
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.search import comparable, matching, names_elsewhere
+from radcalc.quantities.search import LONGEST, comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import Records
 from radcalc.spectra import FORMS, listing
@@ -323,6 +323,8 @@ def command(words: tuple[str, ...], output: Output) -> None:
     text = " ".join(words)
     if not text.strip():
         raise UsageError("a word is missing", [call("help", "lux"), call("--help")])
+    if len(text) > LONGEST:
+        raise UsageError(f"nothing has the words '{quote(text)}'", call("help", "--help"))
     if len(words) > 1 and all(word in COMMANDS for word in words):
         raise UsageError("help takes one command", [call(word, "--help") for word in words])
     found = find(text)

@@ -74,13 +74,17 @@ def matching(
     where: Callable[[Item], str],
     alike: Callable[[str, str], bool] = str.startswith,
 ) -> list[Item]:
-    """Return the items whose text has, for every word of another text, a word that begins so."""
-    words = comparable(text).split()
-    return [
-        item
-        for item in items
-        if words and all(any(alike(w, x) for w in comparable(where(item)).split()) for x in words)
-    ]
+    """Return the items whose text has, for every word of another text, a word that begins so.
+
+    A text that is too long for a search has none.
+    """
+    words = {*comparable(text).split()} if len(text) <= LONGEST else set()
+    return [item for item in items if words and _have(where(item), words, alike)]
+
+
+def _have(text: str, words: Iterable[str], alike: Callable[[str, str], bool]) -> bool:
+    own = comparable(text).split()
+    return all(any(alike(one, word) for one in own) for word in words)
 
 
 def search(text: str) -> list[Found]:
