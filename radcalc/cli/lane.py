@@ -22,7 +22,7 @@ from radcalc.errors import (
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.terminal import FORMATS
 from radcalc.tuples import NamedTuple
-from radcalc.units.numbers import is_sentence
+from radcalc.units.numbers import are_uncertain, is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -211,7 +211,9 @@ def _is_refused(words: Words) -> bool:
     (operands,), *others = read_lists(words)
     try:
         return not (others or read_operands(operands))
-    except (ExpressionError, SeveralReadings):
+    except ExpressionError:
+        return are_uncertain(words)
+    except SeveralReadings:
         return False
     except RadcalcError:
         return True

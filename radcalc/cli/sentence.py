@@ -27,7 +27,7 @@ from radcalc.sentences.reader import Fact, Sentence, read
 from radcalc.sentences.used import assumptions_of
 from radcalc.terminal import JSON, PLAIN
 from radcalc.units import NUMBER
-from radcalc.units.numbers import is_sentence
+from radcalc.units.numbers import are_uncertain, is_sentence
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Listener
@@ -83,7 +83,7 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     asked, _ = options_of(options_of(words)[0], _of_file(words))
     asked, inputs = inputs_of(asked)
     of_reading = (errors.ExpressionError, errors.MissingCondition, errors.SeveralReadings)
-    is_read = isinstance(error, of_reading)
+    is_read = isinstance(error, of_reading) and not are_uncertain(words)
     if is_read or all(word[:1] == "-" for word in asked):
         return False
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]

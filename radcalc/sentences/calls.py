@@ -42,6 +42,7 @@ from radcalc.sentences.used import (
     refuse_unused,
 )
 from radcalc.units import NUMBER, Daily
+from radcalc.units.amounts import OPERATORS
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
@@ -203,6 +204,11 @@ def _not_understood(sentence: Sentence) -> errors.UsageError:
     hint: errors.Hint = corrected or f"another word for {listed(unknown)}"
     if seen and not corrected and not sentence.facts:
         hint = call("typical", *seen.split())
+    if (
+        len(unknown) == 1 and len(sentence.facts) == 2 and unknown[0] in OPERATORS
+    ):  # 10+-1 lx + 5+-2 lx
+        sign, goals = f" {unknown[0]} ", [goal.text for goal in sentence.goals[:1]]
+        hint = call("convert", sign.join([f"({text})" for text in understood[:2]]), *goals)
     return errors.UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 

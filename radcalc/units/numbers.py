@@ -25,7 +25,7 @@ from radcalc.units.compiled import SPELLINGS_OF_CONSTANTS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Any
 
     from radcalc.units.functions import Part
@@ -69,6 +69,13 @@ def begins_formula(text: str) -> bool:
 
 
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
+
+
+def are_uncertain(words: "Sequence[str]") -> bool:
+    """Return whether words have several uncertain values, which no expression has."""
+    text = " ".join(words)
+    return sum([text.count(sign) for sign in SIGNS_OF_UNCERTAINTY]) > 1
+
 
 MAX_LENGTH = 1000
 MAX_BITS = 40_000  # of a whole number of a ratio: about 12 000 digits
