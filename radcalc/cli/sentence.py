@@ -134,9 +134,7 @@ def call_meant(
     is_same |= any(input_of(word)[1] not in values for word in inputs)
     if is_same or not is_other(call, typed_words, error):
         raise error
-    if "-g" in call and (claim := values_of(options, None)["check"]) is not None:
-        call, options = _for_check(call, options, claim)
-    return call, options, assumptions_of(sentence, found)
+    return *_for_check(call, options), assumptions_of(sentence, found)
 
 
 def _is_understood(sentence: Sentence, asked: Words) -> bool:
@@ -183,8 +181,11 @@ def _answer(call: Words, options: Words, assumed: Words, gate: Gate) -> int:
     return status
 
 
-def _for_check(call: Words, options: Words, claim: str) -> tuple[Words, Words]:
-    """Return a call with the name of its result in the answer to check, in place of -g."""
+def _for_check(call: Words, options: Words) -> tuple[Words, Words]:
+    """Return a call with the name of its result in an answer to check, in place of -g."""
+    claim = values_of(options, None)["check"] if "-g" in call else None
+    if claim is None:
+        return call, options
     at = call.index("-g")
     name = call[at + 1].partition(":")[0]
     named = claim if "=" in claim else f"{name}={claim}"
