@@ -27,7 +27,7 @@ from radcalc.inputs import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.log_layout import LogSettings, rows_where
-from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
+from radcalc.streams.samples import EXPECTED, Log, LogDose
 from radcalc.terminal import ABORT, IGNORE, WARN
 
 TAB = "\t"
@@ -184,23 +184,19 @@ def dose(
     settings, source = of
     with source as (name, read):
         skipped: list[LineError] = []
-        log = LogDose(
-            Log(name, read, settings, skipped.append), longest_step(inputs), period, samples or ""
-        )
+        log = LogDose(Log(name, read, settings, skipped.append), inputs, period, samples or "")
     for error in skipped:
         warn(in_words(error.message), stacklevel=4)  # in the caller's line
     operands = {"file": path or "", **chosen.texts, "samples": samples or ""}
     if not period:
-        return calculate("dose", given, log.answer, operands, waits=False, samples=log.samples)
+        facts = log.summed.samples()
+        return calculate("dose", given, log.answer, operands, waits=False, samples=facts)
     shown = (*texts_of(operands), *shown_inputs(inputs))
-    return {
-        label: of_answer("dose", answer, (*shown, _of_period(period, label)), None, UNDRAWN)
-        for label, answer in log.periods(inputs)
-    }
-
-
-def _of_period(period: str, label: str) -> ShownInput:
-    return ShownInput(period, text=label, tells=True)
+    results = {}
+    for label, answer in log.periods(inputs):
+        of_period = ShownInput(period, text=label, tells=True)
+        results[label] = of_answer("dose", answer, (*shown, of_period), None, UNDRAWN)
+    return results
 
 
 def _listed(key: str, given: Any) -> list[str]:

@@ -1,7 +1,6 @@
 """`radcalc dose FILE|-` and `radcalc columns FILE`."""
 
 from collections.abc import Sequence
-from math import inf
 from typing import Any
 
 from radcalc import terminal
@@ -20,7 +19,7 @@ from radcalc.cli.streams import complain
 from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.files import reading
-from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs import refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
@@ -28,7 +27,7 @@ from radcalc.routes import NAMES, ColumnSummary, Contents, contents_of, listing
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
-from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
+from radcalc.streams.samples import EXPECTED, Log, LogDose
 from radcalc.terminal import ABORT, CSV, IGNORE, JSON, TABLE
 from radcalc.units import Unit
 from radcalc.units.table import resolve
@@ -90,55 +89,52 @@ def command(
 
     `others` are the texts of the options without a default.
     """
-    path = _path(words, typed)
+    path = only_file(words, "samples", call_of("dose", "FILE"))
+    if path == "-":
+        refuse_second_reader(typed)
     texts = {name: text or "" for name, text in others.items()}
     by, column, unit, delimiter, dark, thousands = map(
         texts.pop, ("by", "column", "unit", "delimiter", "dark", "thousands")
     )
     all_cases = cases(typed, arrays=False)
-    gap = _gap(all_cases)
+    _refuse_gaps(all_cases)
     if by and len(all_cases) > 1:
-        raise UsageError(
-            "--by cannot be used with a list of conditions", "only one of them, and a loop"
-        )
-    clock = TimeSettings(texts["time_zone"], texts["time_unit"], texts["time_format"])
-    cut = read_delimiter(delimiter) if delimiter else ""
-    settings = LogSettings(time_column, column, unit, cut, invalid, clock)
-    missing, dark = tuple(text.replace(MINUS, "-") for text in missing), dark.replace(MINUS, "-")
-    settings = settings._replace(
-        where=rows_where(where), missing=missing, dark=dark, thousands=thousands
+        problem = "--by cannot be used with a list of conditions"
+        raise UsageError(problem, "only one of them, and a loop")
+    settings = LogSettings(
+        time_column,
+        column,
+        unit,
+        read_delimiter(delimiter) if delimiter else "",
+        invalid,
+        TimeSettings(texts["time_zone"], texts["time_unit"], texts["time_format"]),
+        where=rows_where(where),
+        missing=tuple(text.replace(MINUS, "-") for text in missing),
+        dark=dark.replace(MINUS, "-"),
+        thousands=thousands,
     )
     with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
-        summed = LogDose(log, gap, by, samples or "")
+        summed = LogDose(log, all_cases[0].given, by, samples or "")
     if by != PER_DAY and _asks_for_dli(request):
         summed.summed.refuse_dli(by, request.check is not None)
     typed_here = {"file": path, **settings.texts, "delimiter": delimiter, "samples": samples or ""}
     operands = texts_of(typed_here)
     if by and request.check is None:
-        _show_periods(summed, all_cases[0].given, operands, request, output)
+        given = all_cases[0].given
+        shown = (*operands, *shown_inputs(given))
+        answers = [
+            Answered(label, (*shown, ShownInput(by, text=label, tells=True)), answer)
+            for label, answer in summed.periods(given)
+        ]
+        show(answers, request, output, [answered.inputs for answered in answers])
         status = terminal.ANSWERED
     else:
-        if summed.is_of_several:
+        if by and len(summed.summed.dose.periods) > 1:
             raise several()
-        task = Task("dose", summed.answer, operands, samples=summed.samples)
+        task = Task("dose", summed.answer, operands, samples=summed.summed.samples())
         status = run(all_cases, task, request, output)
     return status if log.is_good or status else terminal.FAILED
-
-
-def _show_periods(
-    summed: LogDose,
-    given: Inputs,
-    operands: Sequence[ShownInput],
-    request: Request,
-    output: Output,
-) -> None:
-    inputs = (*operands, *shown_inputs(given))
-    answers = [
-        Answered(label, (*inputs, ShownInput(summed.by, text=label, tells=True)), answer)
-        for label, answer in summed.periods(given)
-    ]
-    show(answers, request, output, [answered.inputs for answered in answers])
 
 
 def _asks_for_dli(request: Request) -> bool:
@@ -147,21 +143,12 @@ def _asks_for_dli(request: Request) -> bool:
     return any(part.strip().lower().endswith(DLI) for part in parts)
 
 
-def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
-    """Return the file of the samples, or - for standard input, which no other input may read."""
-    path = only_file(words, "samples", call_of("dose", "FILE"))
-    if path == "-":
-        refuse_second_reader(typed)
-    return path
-
-
-def _gap(all_cases: Sequence[Case]) -> float:
-    """Return the longest step that is bridged [s], the same for all cases."""
+def _refuse_gaps(all_cases: Sequence[Case]) -> None:
+    """Refuse several longest steps that are bridged, and an uncertain one."""
     gaps = [case.given["max-gap"] for case in all_cases if "max-gap" in case.given]
     refuse_uncertain(gaps, "a log")
     if len({gap.value for gap in gaps}) > 1:
         raise UsageError("a log is read with one --max-gap, not a list", "--max-gap once")
-    return longest_step(all_cases[0].given)
 
 
 DIGITS = 6
@@ -251,7 +238,7 @@ def _has_dose(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> 
             page.check_unit(LogHead(rows.name, rows.lines, settings).layout.unit)
             return True
         with reading(path, EXPECTED) as (name, read):
-            LogDose(Log(name, read, settings, lambda error: None), inf)
+            LogDose(Log(name, read, settings, lambda error: None), {})
     except RadcalcError:
         return False
     return True

@@ -18,23 +18,8 @@ from radcalc.cli.refusals import of_click
 from radcalc.cli.spelling import Shell, refuse_long, spelled, split
 from radcalc.errors import RadcalcError, UsageError, drop, listed, printable, quote, spell
 from radcalc.errors import command as call_of
-from radcalc.homework.marking import (
-    COMMAND,
-    EXPECTED,
-    PARTS,
-    RIGHT,
-    UNREADABLE,
-    Key,
-    Mark,
-    Sheet,
-    SheetRow,
-    key,
-    mark,
-    of_value,
-    read_parts,
-    read_sheet,
-    refuse_unlike,
-)
+from radcalc.homework import marking
+from radcalc.homework.marking import Key, Mark, Sheet, SheetRow
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.terminal import JSON, TABLE
@@ -103,8 +88,8 @@ def command(
     """
     refuse_number_options(output, "mark")
     path = spelling.only_file(words, "sheet", call_of("mark", "FILE"))
-    parts = read_parts(points) if points is not None else PARTS
-    sheet = read_sheet(path)
+    parts = marking.read_parts(points) if points is not None else marking.PARTS
+    sheet = marking.read_sheet(path)
     keys = [_key(sheet, row, tolerance) for row in sheet.rows]
     marked = [*_marked(sheet, keys, parts)]
     notes = _assumptions(sheet, keys)
@@ -113,7 +98,7 @@ def command(
     inputs = texts_of({"file": path, "points": points or "", "tolerance": tolerance or ""})
     records = Records(rows, notes, table, ("points", "of"), inputs, ("answer",))
     output.records(records, (JSON, TABLE), answers=True, of_file=True)
-    is_right = all(one.mark.verdict == RIGHT for one in marked)
+    is_right = all(one.mark.verdict == marking.RIGHT for one in marked)
     return terminal.ANSWERED if is_right else terminal.WRONG
 
 
@@ -124,17 +109,17 @@ def command(
 def _key(sheet: Sheet, row: SheetRow, tolerance: str | None) -> Key:
     """Return the key of a question; raise its error with the place in the sheet."""
     words: list[str] = []
-    column = COMMAND if row.command else EXPECTED
+    column = marking.COMMAND if row.command else marking.EXPECTED
     try:
         if not row.command:
-            return key(of_value(row.expected), "", "", tolerance)
+            return marking.key(marking.of_value(row.expected), "", "", tolerance)
         refuse_long(row.command)
         words = split(row.command)
         question, wanted, own = _asked(words)
-        found = key(question, wanted, row.expected, own or tolerance)
+        found = marking.key(question, wanted, row.expected, own or tolerance)
         if row.expected:
-            column, words = EXPECTED, []
-            refuse_unlike(found, row.expected)
+            column, words = marking.EXPECTED, []
+            marking.refuse_unlike(found, row.expected)
         return found
     except (RadcalcError, click.UsageError) as error:
         problem = of_click(error, words) if isinstance(error, click.UsageError) else error
@@ -185,8 +170,8 @@ def _marked(sheet: Sheet, keys: Sequence[Key], parts: Mapping[str, float]) -> It
         for row, found in zip(sheet.rows, keys, strict=True):
             _, text, problem = row.answers[student]
             if not problem and (row.line, text) not in known:
-                known[row.line, text] = mark(found, text)
-            judged = Mark(UNREADABLE, likely=problem) if problem else known[row.line, text]
+                known[row.line, text] = marking.mark(found, text)
+            judged = Mark(marking.UNREADABLE, likely=problem) if problem else known[row.line, text]
             part = parts.get(judged.verdict, 0.0)
             yield Marked(row, found.text, student, judged, row.points * part)
 

@@ -27,16 +27,8 @@ from typing import Any, NoReturn
 import numpy
 
 from radcalc.distributions import contents as column_titles
-from radcalc.distributions.distribution import (
-    CLOSEST,
-    SLACK,
-    Grid,
-    Photometry,
-    closed,
-    end_of,
-    mirrored,
-    without_noise,
-)
+from radcalc.distributions import distribution
+from radcalc.distributions.distribution import SLACK, Grid, Photometry
 from radcalc.errors import ConditionError, Hint, listed, quote
 from radcalc.files import columns, refusal
 from radcalc.files.columns import Head, NumberedLine, Table, is_number
@@ -151,7 +143,7 @@ class _Reader:
         return Photometry(
             Grid(numpy.radians(polar), numpy.radians(around), rows, kind),
             "CSV table",
-            assumptions=(*self.assumptions, *end_of(polar)),
+            assumptions=(*self.assumptions, *distribution.end_of(polar)),
             notes=self.notes,
         )
 
@@ -168,11 +160,11 @@ class _Reader:
         text.finish()
         angles, values = table[:, 0], table[:, 1:]
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
-            if angle - before < CLOSEST:
+            if angle - before < distribution.CLOSEST:
                 self.refuse(
                     number, f"the angles do not rise: {angle:g} after {before:g}", "rising angles"
                 )
-        values, self.notes = without_noise(
+        values, self.notes = distribution.without_noise(
             values,
             lambda place, problem, hint: self.refuse(
                 self.rows[place // (width - 1)][0], problem, hint
@@ -298,5 +290,5 @@ class _Reader:
             self.assumptions.append(
                 f"the planes C{planes[0]:g} to C{planes[-1]:g} also represent their mirror images"
             )
-            return mirrored(planes, rows)
-        return closed(planes, rows)
+            return distribution.mirrored(planes, rows)
+        return distribution.closed(planes, rows)

@@ -18,17 +18,9 @@ from radcalc.files import Lines, Text, columns, reading, refusal, signatures
 from radcalc.files.columns import SEARCHED, Head, first_lines, is_number
 from radcalc.files.columns import Table as TextTable
 from radcalc.quantities.column_titles import find
-from radcalc.spectra import AXES, column_titles, contents
+from radcalc.spectra import AXES, column_titles, contents, instruments
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
-from radcalc.spectra.instruments import (
-    FORMATS,
-    SPDX,
-    SPDX_ROOT,
-    TABLE_MARK,
-    declared_rows,
-    notes_on_reference,
-    processed_column,
-)
+from radcalc.spectra.instruments import FORMATS, TABLE_MARK
 from radcalc.spectra.observers import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
 
@@ -75,7 +67,8 @@ def is_spectrum(lines: Lines) -> bool:
     It has the format of a meter, or a title of wavelengths over numbers.
     """
     if form := next((form for form in FORMATS if form.begins(lines)), None):
-        return form is not SPDX or any(SPDX_ROOT in line.upper() for line in lines[:MOST_BEFORE])
+        is_root = (instruments.SPDX_ROOT in line.upper() for line in lines[:MOST_BEFORE])
+        return form is not instruments.SPDX or any(is_root)
     if any(map(column_titles.STATED.match, map(columns.plain, lines[:MOST_BEFORE]))):
         return True
     rows = [*enumerate(lines, 1)][: 2 * MOST_BEFORE]
@@ -301,8 +294,8 @@ class _Reader:
         self.comments = [text[: column_titles.LONGEST] for text in head.comments[:MOST_BEFORE]]
         self.is_marked = any(line.startswith(TABLE_MARK) for line in self.preamble)
         try:
-            self.count = declared_rows(self.preamble)
-            self.notes += notes_on_reference(self.preamble)
+            self.count = instruments.declared_rows(self.preamble)
+            self.notes += instruments.notes_on_reference(self.preamble)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         table = head.table
@@ -475,7 +468,7 @@ class _Reader:
                 )
             self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
             return place, names[place]
-        if of_jaz := processed_column(names, self.preamble):
+        if of_jaz := instruments.processed_column(names, self.preamble):
             return len(names) - 1, of_jaz
         candidates = [
             k

@@ -20,16 +20,8 @@ from radcalc.inputs import DigitsMatter, Input
 from radcalc.inputs.quantities import with_numbers
 from radcalc.maths import exactly
 from radcalc.render.plain import DIGITS, number
-from radcalc.streams import Source
-from radcalc.streams.readers import (
-    LONGEST_UNIT,
-    MOST_UNITS,
-    POINT,
-    by_unit,
-    decoded,
-    numbers,
-    pointed,
-)
+from radcalc.streams import Source, readers
+from radcalc.streams.readers import POINT
 from radcalc.terminal import remarks
 from radcalc.units.numbers import parse_number
 
@@ -80,7 +72,7 @@ class Calculated:
         self.fewest = FIRST
 
     def read(self, text: bytes) -> tuple[Input, LineAnswer]:
-        typed = self._typed(pointed(decoded(text), self.mark))
+        typed = self._typed(readers.pointed(readers.decoded(text), self.mark))
         try:
             given = self.source.read(typed)
         except MissingUnit as error:
@@ -153,7 +145,7 @@ class Calculated:
         if self.source.unit:
             return self._of_unit(b"", texts, texts, range(self.line, self.line + len(texts)))
         columns = [[0.0] * len(texts) for _ in self.wanted]
-        for unit, places in by_unit(texts).items():
+        for unit, places in readers.by_unit(texts).items():
             of_unit = [texts[place] for place in places]
             size = len(unit)
             bare = [text[:-size] for text in of_unit] if size else of_unit
@@ -170,8 +162,8 @@ class Calculated:
         self, unit: bytes, texts: list[bytes], bare: list[bytes], lines: Sequence[int]
     ) -> list[list[float]] | None:
         """Return the results of texts of one unit, with the numbers `bare`."""
-        values = numbers(bare)
-        if values is None or len(unit) > LONGEST_UNIT or unit != unit.rstrip():
+        values = readers.numbers(bare)
+        if values is None or len(unit) > readers.LONGEST_UNIT or unit != unit.rstrip():
             return None
         try:
             given = self._first(unit, texts[0], lines[0])
@@ -190,7 +182,7 @@ class Calculated:
 
     def _first(self, unit: bytes, text: bytes, line: int) -> Input:
         if unit not in self.units:
-            if len(self.units) >= MOST_UNITS:
+            if len(self.units) >= readers.MOST_UNITS:
                 self.units.clear()
             given, result = self.read(text.replace(POINT, self.mark))
             self.hear(remarks_of(result), range(line, line + 1))

@@ -10,17 +10,9 @@ from collections.abc import Callable, Iterable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
+from radcalc import errors
 from radcalc.calculators.page import PER_DAY
-from radcalc.errors import (
-    ConditionError,
-    MissingInput,
-    NumberError,
-    RadcalcError,
-    add,
-    mention,
-    option,
-    quote,
-)
+from radcalc.errors import NumberError, RadcalcError, add, mention, option, quote
 from radcalc.files import columns
 from radcalc.streams.timestamps import (
     DAY,
@@ -103,7 +95,7 @@ class Elapsed:
 
     def period(self, tick: float, by: str) -> Interval:
         """Refuse days: a time without a date has none."""
-        raise ConditionError(
+        raise errors.ConditionError(
             f"the times have no date, so they have no {by}",
             "times with dates: 2024-06-01T12:35, or Unix time",
         )
@@ -256,7 +248,7 @@ class Calendar:
     def period(self, tick: float, by: str) -> Interval:
         """Return the local day or hour of a time; a day may have 23 or 25 hours."""
         if self.zone is None and len(self.offsets) > 1:
-            raise MissingInput(f"the offset changes: the zone of the {by}s is missing", ZONE)
+            raise errors.MissingInput(f"the offset changes: the zone of the {by}s is missing", ZONE)
         self.by = by
         zone = self.shown_in
         local = _at(zone, int(tick) // SECOND)
@@ -339,7 +331,7 @@ def clock_for(first: str, settings: TimeSettings, others: Iterable[str] = ()) ->
     zone = zone_of(settings.zone) if settings.zone else None
     if settings.format:
         if settings.unit:
-            raise ConditionError(
+            raise errors.ConditionError(
                 mention("{time-unit} cannot be used with {time-format}"), "only one of them"
             )
         return Calendar(zone, pattern_of_format(settings.format), first, offset_in(settings.title))
@@ -347,7 +339,7 @@ def clock_for(first: str, settings: TimeSettings, others: Iterable[str] = ()) ->
         return _of_numbers(first, settings, zone)
     if settings.unit:
         problem = f"{option('time-unit', quote(settings.unit))} applies to numbers, not to"
-        raise ConditionError(f"{problem} '{quote(first)}'", "leave it out")
+        raise errors.ConditionError(f"{problem} '{quote(first)}'", "leave it out")
     pattern = pattern_of(first, settings.title, others)
     return Calendar(zone, pattern, first, offset_in(settings.title))
 
@@ -360,10 +352,10 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
         declared = resolve(settings.unit)
         if declared.dimension != TIME:
             problem = f"{option('time-unit', quote(settings.unit))} is not a unit of time"
-            raise ConditionError(problem, "s, ms, min, h")
+            raise errors.ConditionError(problem, "s, ms, min, h")
         if unit and (unit.top, unit.bottom) != (declared.top, declared.bottom):
             problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
-            raise ConditionError(f"{problem} '{quote(settings.title)}'", "leave it out")
+            raise errors.ConditionError(f"{problem} '{quote(settings.title)}'", "leave it out")
         unit = declared
     ticks = UNIX.get(len(integer_part)) if integer_part.isdigit() else None
     if ticks and unit and ticks * unit.bottom == unit.top * SECOND:
@@ -371,7 +363,7 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
     if unit:
         if zone:
             problem = f"{option('time-zone')} does not apply: the times have no date"
-            raise ConditionError(problem, "leave it out")
+            raise errors.ConditionError(problem, "leave it out")
         return Elapsed(unit)
     forms, is_stated = formats_of_digits(first, settings.title) if first.isdigit() else ([], False)
     if forms and (is_stated or forms == ["%Y%m%d"]):
@@ -390,7 +382,7 @@ def _without_unit(text: str, forms: list[str], ticks: int | None) -> RadcalcErro
     if forms:
         unix = ", or Unix time" if ticks else ""
         return NumberError(f"'{quote(text)}' may be a date with its hour{unix}", ways)
-    return MissingInput(f"the unit of the times is missing: '{quote(text)}'", ways or units)
+    return errors.MissingInput(f"the unit of the times is missing: '{quote(text)}'", ways or units)
 
 
 def zone_of(text: str) -> tzinfo:
@@ -405,14 +397,14 @@ def zone_of(text: str) -> tzinfo:
         pass
     names = available_timezones()
     if not names:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"this system has no time zone data: {option('time-zone', quote(text))} is unknown",
             mention("the package tzdata, or a fixed offset: {time-zone=+02:00}"),
         )
     from radcalc.errors import nearest
 
     near = nearest(text, names) or ["Europe/Prague, +02:00 or UTC"]
-    raise ConditionError(f"unknown time zone '{quote(text)}'", ", ".join(near))
+    raise errors.ConditionError(f"unknown time zone '{quote(text)}'", ", ".join(near))
 
 
 def _fixed(offset: int) -> tzinfo:

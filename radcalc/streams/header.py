@@ -10,19 +10,13 @@ from radcalc import errors
 from radcalc.errors import option, quote
 from radcalc.files import Text, columns
 from radcalc.files.columns import NumberedLine, unit_column
-from radcalc.quantities import describe, name_of
+from radcalc.quantities import column_titles, describe, name_of
 from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (
     Title,
     find,
     is_same,
-    other_quantity,
     read_title,
-    refuse_altered,
-    refuse_linked,
-    refuse_misnamed,
-    refuse_uncalibrated,
-    refuse_unknown,
     unit_of_meter,
     unit_of_name,
 )
@@ -125,7 +119,7 @@ class Header:
                 self.units = unit_column(titles, places[0])
             for title in read:
                 if title.unit:
-                    refuse_uncalibrated(title)
+                    column_titles.refuse_uncalibrated(title)
             if self.cut:  # not a line of text
                 self._refuse(read, [read_title(names[place]) for place in places if names])
         except (errors.NumberError, errors.UnitError) as error:
@@ -151,16 +145,16 @@ class Header:
     def _refuse(self, read: Sequence[Title], above: Sequence[Title]) -> None:
         """Refuse titles, with those above them, that are not of the unit that is read."""
         for title in [*read, *above]:
-            refuse_altered(title)
+            column_titles.refuse_altered(title)
         if self.source and read_light(self.source):
             for title in read:
-                refuse_linked(title.text, self.source, self.given, "another column")
-                refuse_unknown(title, self.source)
+                column_titles.refuse_linked(title.text, self.source, self.given, "another column")
+                column_titles.refuse_unknown(title, self.source)
                 if not title.unit:
-                    refuse_misnamed(title, self.source)
+                    column_titles.refuse_misnamed(title, self.source)
         for title, parsed in zip(above, read, strict=False):
             if parsed.unit:
-                refuse_misnamed(title, parsed.unit)
+                column_titles.refuse_misnamed(title, parsed.unit)
 
     def title_of(self, title: Title | None = None) -> str:
         """Return the title of a result: the own one, or that of the source in the new unit."""
@@ -314,7 +308,7 @@ def _of_one_title(title: str) -> errors.Hint:
 
 def _refuse_other(name: str, target: Unit, option: str = "") -> None:
     """Refuse a title that names another quantity than its unit."""
-    if other_quantity(name, target):
+    if column_titles.other_quantity(name, target):
         problem = f"the column would be named '{quote(name)}', but contain {describe(target)}"
         better = [errors.add(way, _title_of(target)) for way in (option, "add", "rename") if way]
         raise errors.UsageError(problem, better[: 1 if option else 2])

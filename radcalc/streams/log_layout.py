@@ -10,22 +10,9 @@ from radcalc import errors
 from radcalc.errors import listed, option, quote
 from radcalc.files import Text, columns, signatures, where
 from radcalc.files.columns import SEARCHED, Head, NumberedLine, Table, is_number
-from radcalc.quantities import PHOTON, RADIANT
+from radcalc.quantities import PHOTON, RADIANT, column_titles
 from radcalc.quantities import read as read_light
-from radcalc.quantities.column_titles import (
-    SPELLINGS,
-    find,
-    is_same,
-    read_title,
-    refuse_altered,
-    refuse_misnamed,
-    refuse_uncalibrated,
-    refuse_unknown,
-    unit_in,
-    unit_of_meter,
-    unit_of_name,
-    words_of,
-)
+from radcalc.quantities.column_titles import is_same, read_title, unit_of_meter, unit_of_name
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
@@ -130,11 +117,6 @@ def rows_where(texts: Iterable[str]) -> tuple[tuple[str, str], ...]:
     return tuple([(name.strip(), value.strip()) for name, _, value in pairs])
 
 
-def error(name: str, number: int, problem: str, hint: errors.Hint, row: str) -> errors.LineError:
-    """Return the error of a log in a row (0: in none)."""
-    return errors.LineError(f"{where(name, number, row)}: {problem}", hint)
-
-
 def blocks_of(text: Text) -> tuple[Blocks, "SunTable | None"]:
     """Return the lines of a text in blocks; of a public format of the sun, those of its table."""
     blocks = text.blocks()
@@ -169,7 +151,8 @@ class FirstRows(Head):
         if stamps := [k for k, cell in enumerate(self.cells) if self.is_start(cell)]:
             return stamps
         titled = [k for k, title in enumerate(self.table.titles) if _is_of_time(title)]
-        dates = [k for k in titled if "date" in words_of(self.names[k]) and len(self.cells[k]) == 8]
+        digits = [k for k in titled if len(self.cells[k]) == 8]
+        dates = [k for k in digits if "date" in column_titles.words_of(self.names[k])]
         return dates if len(dates) == 1 < len(titled) else titled
 
     @property
@@ -191,7 +174,8 @@ class FirstRows(Head):
         return (), ""
 
     def error(self, number: int, problem: str, hint: errors.Hint) -> errors.LineError:
-        return error(self.name, number, problem, hint, self.settings.row)
+        """Return the error of a row (0: of none)."""
+        return errors.LineError(f"{where(self.name, number, self.settings.row)}: {problem}", hint)
 
     def no_data(self, rows: Sequence[NumberedLine]) -> errors.LineError:
         problem = f"no time and value in the first {SEARCHED} lines"
@@ -239,7 +223,7 @@ class FirstRows(Head):
             cells = columns.cells_alone(line, self.typed)
             try:
                 for name in wanted:
-                    find(cells, name, self.name)
+                    column_titles.find(cells, name, self.name)
             except errors.UsageError as error:
                 titles = [cell for cell in cells if cell and not is_number(cell)]
                 if len(titles) > widest:
@@ -249,7 +233,7 @@ class FirstRows(Head):
         raise refusal or self.error(0, f"unknown column '{quote(wanted[0])}'", "its number")
 
     def are_titles(self, cells: Sequence[str]) -> bool:
-        units = map(unit_in, cells)
+        units = map(column_titles.unit_in, cells)
         return any(map(_is_of_time, cells)) or any(unit and read_light(unit) for unit in units)
 
     def _unit_in(self, title: str) -> Unit | None:
@@ -257,17 +241,17 @@ class FirstRows(Head):
         try:
             parsed = read_title(title)
             unit = parsed.unit if parsed.unit and read_light(parsed.unit) else None
-            refuse_uncalibrated(parsed)
+            column_titles.refuse_uncalibrated(parsed)
             if unit:
-                refuse_misnamed(parsed, unit)
+                column_titles.refuse_misnamed(parsed, unit)
             elif parsed.unit and (usual := unit_of_name(title)):  # PAR (mV), PPFD [%]
-                refuse_unknown(parsed, resolve(usual))
+                column_titles.refuse_unknown(parsed, resolve(usual))
             else:
-                refuse_altered(parsed)
+                column_titles.refuse_altered(parsed)
         except errors.UnitError as error:
             raise self.error(0, error.message, error.hint) from None
         if unit is None and (usual := unit_of_name(title)):
-            also = PAR_ALSO if "par" in words_of(title) else ""
+            also = PAR_ALSO if "par" in column_titles.words_of(title) else ""
             if not self.settings.unit:
                 self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
             return resolve(usual)
@@ -333,7 +317,7 @@ class LogHead(FirstRows):
         cell, title = self.cells[place], self._title(place)
         if _is_of_time(title) or self.is_start(cell) or looks_like_clock(cell):
             return ""
-        if not {*words_of(title)}.isdisjoint(OF_SERIES):
+        if not {*column_titles.words_of(title)}.isdisjoint(OF_SERIES):
             return DEVICES
         return TEXTS if not is_number(cell) else ""
 
@@ -430,7 +414,7 @@ class LogHead(FirstRows):
                 raise self.error(0, problem, "titles that fit the units of the lines")
             self.assumptions.append("each value is in the unit of its line")
         elif declared and not is_same(declared, unit):
-            self._override(unit, declared, where, "par" in words_of(title))
+            self._override(unit, declared, where, "par" in column_titles.words_of(title))
         elif where == "the preamble" and declared:
             self.assumptions.append(f"the values are in {quote(unit.text)}, as {where} says")
         return unit
@@ -466,17 +450,17 @@ class LogHead(FirstRows):
         """Raise for a title without a known unit of light that does not fit the typed unit."""
         try:
             parsed = read_title(title)
-            refuse_unknown(parsed, unit)
+            column_titles.refuse_unknown(parsed, unit)
             if unit:
-                refuse_misnamed(parsed, unit)
+                column_titles.refuse_misnamed(parsed, unit)
         except errors.UnitError as error:
             hint = error.hint
-            if hint in SPELLINGS.values():
+            if hint in column_titles.SPELLINGS.values():
                 hint = option("unit", hint)
             raise self.error(0, error.message, hint) from None
 
     def _place(self, name: str) -> int:
-        return find(self.names or [""] * len(self.cells), name, self.name)
+        return column_titles.find(self.names or [""] * len(self.cells), name, self.name)
 
 
 def _is_of_time(title: str) -> bool:
@@ -488,7 +472,7 @@ def _is_of_time(title: str) -> bool:
             return False  # d [m] is a distance
     except errors.UnitError:
         pass
-    unit = unit_in(title, SECONDS, at_end=True)  # t_s, but not s_cone_opic
+    unit = column_titles.unit_in(title, SECONDS, at_end=True)  # t_s, but not s_cone_opic
     if unit is None or unit.dimension != TIME:
         return False
     return not _may_be_light(title)
@@ -499,13 +483,13 @@ def _unit_of_time(title: str) -> Unit | None:
     unit = read_title(title, SECONDS).unit
     if not unit or unit.dimension != TIME:
         return None
-    title_unit = unit_in(title)  # PAR_umol_m2_s
+    title_unit = column_titles.unit_in(title)  # PAR_umol_m2_s
     return None if title_unit and read_light(title_unit) else unit
 
 
 def _may_be_light(title: str) -> bool:
     """Return whether a title has a unit of light, what looks like one, or a name that has one."""
-    if unit := unit_in(title):
+    if unit := column_titles.unit_in(title):
         return read_light(unit) is not None
     try:
         read_title(title)

@@ -10,31 +10,19 @@ from math import inf, isnan, nan
 from operator import lt
 from typing import Any, NamedTuple
 
+from radcalc import errors
 from radcalc.answer import Answer, format_number
 from radcalc.calculators import dose as page
 from radcalc.calculators.dose_sums import MEANS, POINTS, Dose
-from radcalc.errors import (
-    Hint,
-    LineError,
-    NumberError,
-    RadcalcError,
-    UsageError,
-    add,
-    leave_out,
-    listed,
-    mention,
-    option,
-    quote,
-)
-from radcalc.files import Text, columns
+from radcalc.errors import LineError, RadcalcError, add, leave_out, listed, option, quote
+from radcalc.files import Text, columns, where
 from radcalc.files.columns import first_lines
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
 from radcalc.quantities import describe
 from radcalc.quantities.column_titles import refuse_linked, unit_of_meter
-from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
-from radcalc.streams.log_layout import MISSING, LogHead, LogSettings
+from radcalc.streams.log_layout import MISSING, LogHead, LogSettings, blocks_of
 from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
@@ -98,7 +86,7 @@ class Log:
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.text = Text(name, read, "a time and a value", inf, settings.first)
-        blocks, of_sun = log_layout.blocks_of(self.text)
+        blocks, of_sun = blocks_of(self.text)
         self.of_samples = of_sun.samples if of_sun else POINTS
         if of_sun:
             self.settings = settings = settings._replace(row="row", first=0, delimiter="\t")
@@ -126,8 +114,10 @@ class Log:
     def clock(self) -> Clock:
         return self.layout.clock
 
-    def error(self, number: int, problem: str, hint: Hint) -> LineError:
-        return log_layout.error(self.name, number, problem, hint, self.settings.row)
+    def error(
+        self, number: int, problem: str, hint: errors.Hint, kind: type[LineError] = LineError
+    ) -> LineError:
+        return kind(f"{where(self.name, number, self.settings.row)}: {problem}", hint)
 
     def samples(self) -> Iterator[Samples]:
         """Yield blocks of times, values and lines; a skipped line has no value."""
@@ -329,16 +319,16 @@ class Log:
         """Return the number of a cell; raise for one that is missing or malformed."""
         row = self.settings.row
         if text.lower() in MISSING or MARKED.fullmatch(text) or _mark(text) in self.marks:
-            to_skip = mention(f"{{invalid=ignore}}, to skip the {row}")
-            error = self.error(number, f"a value is missing: '{quote(text)}'", to_skip)
-            raise Missing(error.message, to_skip) if _mark(text) in self.marks else error
+            to_skip = errors.mention(f"{{invalid=ignore}}, to skip the {row}")
+            kind = Missing if _mark(text) in self.marks else LineError
+            raise self.error(number, f"a value is missing: '{quote(text)}'", to_skip, kind)
         value = columns.finite(text, True)
         if value is not None:
             return value
         try:
             parse_number(text)
-        except NumberError as error:
-            hint: Hint = add("thousands", ",") if THOUSANDS.fullmatch(text) else error.hint
+        except errors.NumberError as error:
+            hint: errors.Hint = add("thousands", ",") if THOUSANDS.fullmatch(text) else error.hint
             raise self.error(number, error.message, hint) from None
         raise self.error(number, f"'{quote(text)}' is not a number", "a number")
 
@@ -357,14 +347,13 @@ class Log:
             first, *_ = self.seen[place]
             problem = f"the column '{quote(title)}' has '{quote(first)}' and '{quote(text)}'"
             ways = [add("where", f"{title}={value}") for value in (first, text, ANY)]
-            error = self.error(number, problem, ways)
-            raise OtherSeries(error.message, ways)
+            raise self.error(number, problem, ways, OtherSeries)
         self.seen[place] = seen
 
     def _factor(self, text: str, number: int) -> float:
         """Return the factor from the unit of a line to that of the log."""
         unit, own = unit_of_meter(text), self.layout.unit
-        if unit is None or (unit.dimension, unit.is_exitance) != (own.dimension, own.is_exitance):
+        if unit is None or not _is_like(unit, own):
             problem = f"the unit '{quote(text)}' is not one of {describe(own)}"
             raise self.error(number, problem, f"{own.text}, or another column")
         return divide(unit.top * own.bottom, unit.bottom * own.top)
@@ -399,6 +388,10 @@ def _mark(text: str) -> str | float:
     return text.lower() if value is None else value
 
 
+def _is_like(first: Unit, second: Unit) -> bool:
+    return (first.dimension, first.is_exitance) == (second.dimension, second.is_exitance)
+
+
 def _dark(text: str, unit: Unit) -> float:
     """Return what a meter shows in the dark, in the unit of its values."""
     value = columns.finite(text, False)
@@ -406,9 +399,9 @@ def _dark(text: str, unit: Unit) -> float:
         return value
     amount = read_amount(text)
     own = amount.typed[1]
-    if own is None or (own.dimension, own.is_exitance) != (unit.dimension, unit.is_exitance):
+    if own is None or not _is_like(own, unit):
         problem = f"{option('dark', quote(text))} is not in {quote(unit.text)}"
-        raise UsageError(problem, add("dark", f"0.1{unit.text}", "0.1 as an example"))
+        raise errors.UsageError(problem, add("dark", f"0.1{unit.text}", "0.1 as an example"))
     return amount.number * divide(own.top * unit.bottom, own.bottom * unit.top)
 
 
@@ -418,13 +411,14 @@ EXPECTED = "a file with a time and a value in each line"
 class LogDose:
     """The dose of the samples of a log, for any light that the inputs describe."""
 
-    def __init__(self, log: Log, longest: float, by: str = "", reading: str = "") -> None:
-        """Read all samples, without bridging a step longer than `longest` seconds.
+    def __init__(self, log: Log, given: Inputs, by: str = "", reading: str = "") -> None:
+        """Read all samples, without bridging a step longer than `max-gap` of the inputs.
 
         `by` is a period, or '' for the whole log; `reading` is what samples are, by default what
         the format of the log says, or points.
         """
         clock = log.clock
+        longest = given["max-gap"].value if "max-gap" in given else inf  # s
         page.check_unit(log.layout.unit)
         if reading and log.of_samples not in (POINTS, reading):
             log.assumptions.append(f"{option('samples', reading)} replaces the format's own")
@@ -447,20 +441,9 @@ class LogDose:
             else:
                 dose.interrupt(*times)
         dose.finish()
-        self.log = log
-        self.by = by
+        self.log, self.by = log, by
         self.summed = page.SummedLog(dose, log.layout.unit, clock.tick, clock.say)
         self.summed.check()
-
-    @property
-    def samples(self) -> dict[str, float]:
-        """The facts of the log for the check of an answer."""
-        return self.summed.samples()
-
-    @property
-    def is_of_several(self) -> bool:
-        """Whether there are several periods."""
-        return bool(self.by) and len(self.summed.dose.periods) > 1
 
     def answer(self, given: Inputs) -> Answer:
         """Return the answer for the whole log, or for its first period."""
@@ -487,16 +470,11 @@ class LogDose:
 
 def _is_daily(log: Log) -> bool:
     """Return whether a log has a rate per day for each day, and so the sums of days."""
-    clock, unit = log.clock, log.layout.unit
-    is_per_day = ("day", -1) in unit.atoms
+    clock = log.clock
+    is_per_day = ("day", -1) in log.layout.unit.atoms
     if not (is_per_day and isinstance(clock, Calendar) and clock.is_of_days):
         return False
     if clock.zone:
         problem = f"{option('time-zone')} does not apply to the sums of days"
-        raise UsageError(problem, leave_out("time-zone"))
+        raise errors.UsageError(problem, leave_out("time-zone"))
     return True
-
-
-def longest_step(given: Inputs) -> float:
-    """Return the longest step that is bridged [s]."""
-    return given["max-gap"].value if "max-gap" in given else inf

@@ -10,16 +10,8 @@ from datetime import date, datetime, time, timedelta
 from functools import partial
 from typing import NamedTuple
 
-from radcalc.errors import (
-    ConditionError,
-    NumberError,
-    RadcalcError,
-    Try,
-    add,
-    mention,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import NumberError, add, mention, option, quote
 
 SECOND = 10**9  # ticks
 HOUR, DAY = 3600 * SECOND, 86400 * SECOND
@@ -202,7 +194,7 @@ def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
     joint = parts[2]
     if len(parts[4]) != 4:
         problem = f"'{quote(text)}' has a year of 2 digits, without a clear order"
-        raise ConditionError(problem, _ways(text, parts, orders))
+        raise errors.ConditionError(problem, _ways(text, parts, orders))
     assumption = ""
     if order := ORDER_IN_TITLE.search(title.replace("_", " ")):
         orders = ["dmY" if order[1][:1] in "dD" else "mdY"]
@@ -213,7 +205,7 @@ def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
         parts, orders = _decided(parts, orders, others)
         if len(readings := _readings(parts, orders)) > 1:
             problem = f"'{quote(parts[0])}' is ambiguous: {' or '.join(readings)}"
-            raise ConditionError(problem, _ways(text, parts, orders))
+            raise errors.ConditionError(problem, _ways(text, parts, orders))
         if len(orders) == 1:
             which = "day" if orders == ["dmY"] else "month"
             assumption = f"'{quote(parts[0])}' shows that the {which} is first"
@@ -263,7 +255,7 @@ def _readings(parts: re.Match[str], orders: Sequence[str]) -> list[str]:
     return [*dict.fromkeys(f"{of['Y']}-{of['m']:>02}-{of['d']:>02}" for of in named)]
 
 
-def _ways(text: str, parts: re.Match[str], orders: Sequence[str]) -> list[Try]:
+def _ways(text: str, parts: re.Match[str], orders: Sequence[str]) -> list[errors.Try]:
     """Propose the formats of a stamp, one for each order of its date."""
     clock = text[parts.end() + 1 :]
     rest, zone = re.subn(f" ?{OFFSET}$", "", clock.strip())
@@ -295,7 +287,7 @@ def formats_of_digits(text: str, title: str) -> tuple[list[str], bool]:
     found = []
     for form in filter(None, (OF_DIGITS.get(len(text)), SHORT.get(len(text)))):
         pattern = pattern_of_format(form)
-        with suppress(RadcalcError):
+        with suppress(errors.RadcalcError):
             day, clock = pattern.parts(text)
             pattern.clock(clock)
             if (EPOCH.year + pattern.day(day) // (365.2425 * DAY)) // 1 in LIKELY:
@@ -329,14 +321,14 @@ def _check_format(text: str) -> None:
     if unknown := [letter for letter in directives if letter not in OF_DATES + OF_CLOCKS]:
         problem = f"{option_text} has %{quote(unknown[0])}, which is not supported"
         known = " ".join(f"%{letter}" for letter in OF_DATES + OF_CLOCKS)
-        raise ConditionError(problem, known)
+        raise errors.ConditionError(problem, known)
     if len({*"".join(directives).replace("I", "H").replace("B", "b")}) < len(directives):
-        raise ConditionError(f"{option_text} has a part twice", "each part once")
+        raise errors.ConditionError(f"{option_text} has a part twice", "each part once")
     if not (letters & {*"Yy"} and ("j" in letters or ("d" in letters and letters & {*"mbB"}))):
-        raise ConditionError(f"{option_text} has no complete date", FORMATS)
+        raise errors.ConditionError(f"{option_text} has no complete date", FORMATS)
     if ("I" in letters) != ("p" in letters):
         problem = f"{option_text} has %{'I' if 'I' in letters else 'p'} alone"
-        raise ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
+        raise errors.ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
 
 
 def offset_in(title: str) -> int | None:
