@@ -170,10 +170,9 @@ def check_unit(unit: Unit) -> None:
                 meant = Try((("unit", "umol/m2/s"),), remark=remark)
                 raise ConditionError(problem, meant)
             raise ConditionError(problem, "samples of an irradiance, illuminance, PPFD or flux")
-    raise ConditionError(
-        f"the integral of {describe(unit)} over time is neither an exposure nor an energy",
-        "samples of an irradiance, illuminance, PPFD or flux: W/m2, lx, umol/m2/s, W, lm",
-    )
+    problem = f"the integral of {describe(unit)} over time is neither an exposure nor an energy"
+    hint = "samples of an irradiance, illuminance, PPFD or flux: W/m2, lx, umol/m2/s, W, lm"
+    raise ConditionError(problem, hint)
 
 
 class SummedLog(NamedTuple):

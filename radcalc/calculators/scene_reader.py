@@ -74,11 +74,8 @@ class Reader:
                 raise row.error("name", f"a {type(given).__name__} is not a name", "a text")
             name = NO_NAME.sub("-", str(given))
             if name in names:
-                raise row.error(
-                    "name",
-                    f"'{quote(name)}' is already the source of {names[name].where}",
-                    "a name for each source, or none",
-                )
+                problem = f"'{quote(name)}' is already the source of {names[name].where}"
+                raise row.error("name", problem, "a name for each source, or none")
             names[name] = row
             placed.append(self.source(name, row))
         return placed
@@ -108,9 +105,8 @@ class Reader:
         symbol, value = COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
-            raise row.error(
-                column, f"a {type(number).__name__} is not a value", "one number or text"
-            )
+            problem = f"a {type(number).__name__} is not a value"
+            raise row.error(column, problem, "one number or text")
         is_place = symbol.dimensions == (LENGTH,) and column in (*PLACE, *AIM, *DIRECTION)
         if is_place and is_bare(value):
             self.assumptions[IN_METRES] = None
@@ -140,10 +136,8 @@ class Reader:
         """Return the direction of a source: to its aim, as given, or straight down."""
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
-            raise errors.ConditionError(
-                f"{row.where}: aim_x cannot be used with direction_x",
-                "a point to aim at, or a direction",
-            )
+            problem = f"{row.where}: aim_x cannot be used with direction_x"
+            raise errors.ConditionError(problem, "a point to aim at, or a direction")
         rotate = given["rotate"].value if "rotate" in given else 0.0
         if not aims:
             if is_aimed:
@@ -164,10 +158,8 @@ class Reader:
         shapes = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
         if text is None:
             if len(shapes) > 1:
-                raise errors.ConditionError(
-                    f"{row.where}: it has columns for {' and for '.join(shapes)}",
-                    "only one of them",
-                )
+                problem = f"{row.where}: it has columns for {' and for '.join(shapes)}"
+                raise errors.ConditionError(problem, "only one of them")
             shape = shapes[0] if shapes else ISOTROPIC
             if not shapes:
                 self.assumptions["a source without a distribution is isotropic"] = None
@@ -240,10 +232,8 @@ class Reader:
         """Return the factor from a distribution to intensities in the scene's kind."""
         if strength is None:
             if not distribution.kind:
-                raise errors.ConditionError(
-                    f"{row.where}: the flux or intensity of the source is missing",
-                    "flux or intensity, with its unit: 800lm",
-                )
+                problem = f"{row.where}: the flux or intensity of the source is missing"
+                raise errors.ConditionError(problem, "flux or intensity, with its unit: 800lm")
             return self.in_kind(row, "distribution", distribution.kind)
         if distribution.kind:
             self.assumptions["scaling keeps only the shape of the distribution"] = None
@@ -276,12 +266,11 @@ class Reader:
             return 1.0
         factor = kinds.linking_factor(self.links, self.kind, kind)
         if factor is None:
-            raise row.error(
-                column,
+            problem = (
                 f"it is {KIND_NAMES[kind]}, other sources are {KIND_NAMES[self.kind]}: "
-                + MISSING_LINK,
-                LINKS_HINT,
+                + MISSING_LINK
             )
+            raise row.error(column, problem, LINKS_HINT)
         if factor.assumption:
             self.assumptions[factor.assumption] = None
         self.notes.update(dict.fromkeys(factor.notes))
@@ -293,15 +282,12 @@ class Reader:
         """Return a Lambertian patch: an exact rectangle, or a small area."""
         sides = [given[name].value for name in ("width", "length") if name in given]
         if len(sides) == 1 or ("area" in given) == bool(sides):
-            raise errors.ConditionError(
-                f"{row.where}: the size of the patch is missing or given twice",
-                "width and length, or area",
-            )
+            problem = f"{row.where}: the size of the patch is missing or given twice"
+            raise errors.ConditionError(problem, "width and length, or area")
         if strength is None:
-            raise errors.ConditionError(
-                f"{row.where}: a light quantity of the patch is missing",
-                "luminance, exitance, flux or intensity, with its unit",
-            )
+            problem = f"{row.where}: a light quantity of the patch is missing"
+            hint = "luminance, exitance, flux or intensity, with its unit"
+            raise errors.ConditionError(problem, hint)
         area = float(given["area"].value if "area" in given else sides[0] * sides[1])
         known = {strength.symbol.generic: Known(self.amount(row, strength)), "area": Known(area)}
         radiance = float(follow([*surface.LAWS, surface.FLAT], known).values["radiance"].value)

@@ -150,14 +150,12 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
         if not title:
-            raise errors.ConditionError(
-                f"{where}: column {number} has no title", "a title, or no column"
-            )
+            problem = f"{where}: column {number} has no title"
+            raise errors.ConditionError(problem, "a title, or no column")
         name, unit = _column(title, where)
         if name in names:
-            raise errors.ConditionError(
-                f"{where}: column '{quote(title)}' appears twice", "each column once"
-            )
+            problem = f"{where}: column '{quote(title)}' appears twice"
+            raise errors.ConditionError(problem, "each column once")
         names[name] = title
         if unit:
             units[name] = unit
@@ -171,9 +169,8 @@ def _column(title: str, where: str) -> tuple[str, Unit | None]:
     if name and name == normalized:
         return name, None
     if name in TEXTS:
-        raise errors.ConditionError(
-            f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone"
-        )
+        problem = f"{where}: column '{quote(title)}' has a unit"
+        raise errors.ConditionError(problem, f"'{name}' alone")
     if name and (unit := _unit(name, title, where)):
         return name, unit
     near = [typed(head) for head in errors.nearest(normalized, KNOWN, 3)]
@@ -207,13 +204,11 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
         if unit.is_scale:
             raise errors.UnitError(f"{quote(unit.text)} is a scale", example)
     except errors.RadcalcError as error:
-        raise errors.ConditionError(
-            f"{where}, column '{quote(title)}': {error.message}", error.hint or example
-        ) from None
+        problem = f"{where}, column '{quote(title)}': {error.message}"
+        raise errors.ConditionError(problem, error.hint or example) from None
     if unit.dimension not in symbol.dimensions or unit.dimension == NUMBER:
-        raise errors.ConditionError(
-            f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}", example
-        )
+        problem = f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}"
+        raise errors.ConditionError(problem, example)
     return unit if _name(matched.name) == name else None
 
 
@@ -223,9 +218,8 @@ def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
     headers: dict[tuple[str, ...], tuple[dict[str, str], dict[str, Unit]]] = {}
     for number, source in enumerate(sources, 1):
         if not isinstance(source, Mapping):
-            raise errors.ConditionError(
-                f"source {number} is a {type(source).__name__}", "a dict for each source"
-            )
+            problem = f"source {number} is a {type(source).__name__}"
+            raise errors.ConditionError(problem, "a dict for each source")
         where, keys = f"source {number}", tuple(map(str, source))
         if keys not in headers:
             headers[keys] = _header(keys, where)

@@ -103,9 +103,8 @@ def command(
     if not first.targets:
         for name, given in (("--steps", steps), ("--check", check), ("--auto", output.style.auto)):
             if given:
-                raise errors.UsageError(
-                    f"{name} needs a unit to convert to", with_target(words, first)
-                )
+                problem = f"{name} needs a unit to convert to"
+                raise errors.UsageError(problem, with_target(words, first))
     elif check is not None:
         from radcalc.homework.question import of_conversion
 

@@ -83,9 +83,8 @@ def command(
     path = only_file(words, "scene", f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1:
-        raise UsageError(
-            "a list of conditions cannot be used with a scene", "only one of them, and a loop"
-        )
+        problem = "a list of conditions cannot be used with a scene"
+        raise UsageError(problem, "only one of them, and a loop")
     given = all_cases[0].given
     refuse_uncertain(given.values(), "a scene")
     places = texts_of({"file": path, "at": " ".join(at)})

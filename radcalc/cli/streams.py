@@ -363,10 +363,8 @@ def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Valu
 
 def _refuse_format(output: Output) -> None:
     if output.is_chosen and output.format in (TABLE, CSV):
-        raise errors.UsageError(
-            f"--format {output.format} cannot be used with a stream",
-            [errors.add("format", "json"), errors.leave_out("format")],
-        )
+        problem = f"--format {output.format} cannot be used with a stream"
+        raise errors.UsageError(problem, [errors.add("format", "json"), errors.leave_out("format")])
 
 
 class Layout(NamedTuple):
@@ -405,9 +403,8 @@ class Layout(NamedTuple):
             cut = Cut(os.fsencode(delimiter))
         mark = (options.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
-            raise errors.UsageError(
-                "--decimal , cannot be used with --delimiter ,", option("delimiter", "tab")
-            )
+            problem = "--decimal , cannot be used with --delimiter ,"
+            raise errors.UsageError(problem, option("delimiter", "tab"))
         fields = Fields("1" if options.field is None else options.field)
         name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
@@ -444,13 +441,11 @@ class Layout(NamedTuple):
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     """Refuse options for lines that contradict each other or lack one that they need."""
     if options.field is not None and options.column is not None:
-        raise errors.UsageError(
-            "--field cannot be used with --column", errors.one_of("field", "column")
-        )
+        problem = "--field cannot be used with --column"
+        raise errors.UsageError(problem, errors.one_of("field", "column"))
     if options.add is not None and options.rename is not None:
-        raise errors.UsageError(
-            "--add cannot be used with --rename", errors.one_of("add", "rename")
-        )
+        problem = "--add cannot be used with --rename"
+        raise errors.UsageError(problem, errors.one_of("add", "rename"))
     if options.rename is not None and not lines:
         raise errors.UsageError("--rename needs a header", errors.add("header"))
     if not has_unit and options.delimiter is None and options.field is not None and not lines:

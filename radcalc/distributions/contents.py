@@ -178,9 +178,8 @@ def angles(title: str) -> Unit | None:
     text, unit = plain(title), _read(title.replace("º", "°"), resolve("deg")).unit
     has_other = unit.dimension != ANGLE if unit else bool(units_in(title)[0])
     if has_other or OF_ANGLE.search(text):
-        raise ConditionError(
-            f"'{quote(title)}' in the first column is not an angle", "polar angles in it"
-        )
+        problem = f"'{quote(title)}' in the first column is not an angle"
+        raise ConditionError(problem, "polar angles in it")
     if OTHER_ANGLES.search(text) or not (unit or not text or ANGLE_WORDS.search(text)):
         raise ConditionError(
             f"'{quote(title)}' in the first column is not a polar angle from the source's axis",
@@ -240,10 +239,8 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
             units[unit.dimension, unit.factor] = unit
     if len(units) > 1:
         unit_texts = " and ".join(quote(unit.text) for unit in units.values())
-        raise ConditionError(
-            f"the comments have different units: {unit_texts}",
-            "the unit in the titles of the columns",
-        )
+        problem = f"the comments have different units: {unit_texts}"
+        raise ConditionError(problem, "the unit in the titles of the columns")
     return next(iter(units.values()), None)
 
 

@@ -131,11 +131,8 @@ class _Reader:
         else:
             polar, rows = degrees, values.T
             if SLACK < polar[0] < FLAT / 2:
-                self.refuse(
-                    self.rows[0][0],
-                    f"the angles begin at {polar[0]:g} deg, not on the axis",
-                    "a row for 0 deg",
-                )
+                problem = f"the angles begin at {polar[0]:g} deg, not on the axis"
+                self.refuse(self.rows[0][0], problem, "a row for 0 deg")
         try:
             around, rows = self.around(planes, rows)
         except ConditionError as error:
@@ -150,9 +147,8 @@ class _Reader:
     def numbers(self, width: int) -> tuple[Any, Any]:
         """Return the rising angles, and the values (angles, planes), in the units of the table."""
         if width < 2:
-            self.refuse(
-                self.rows[0][0], "there is only one column", "an angle and an intensity in each row"
-            )
+            problem = "there is only one column"
+            self.refuse(self.rows[0][0], problem, "an angle and an intensity in each row")
         if len(self.rows) < 2:
             self.refuse(self.rows[0][0], "one row is not a table", "two rows or more")
         text = self.head.table
@@ -161,9 +157,8 @@ class _Reader:
         angles, values = table[:, 0], table[:, 1:]
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
             if angle - before < distribution.CLOSEST:
-                self.refuse(
-                    number, f"the angles do not rise: {angle:g} after {before:g}", "rising angles"
-                )
+                problem = f"the angles do not rise: {angle:g} after {before:g}"
+                self.refuse(number, problem, "rising angles")
         values, self.notes = distribution.without_noise(
             values,
             lambda place, problem, hint: self.refuse(
@@ -192,20 +187,15 @@ class _Reader:
         """Return the angles in degrees; a factor of 0 means that their unit is not declared."""
         if not factor:
             if abs(angles).max() <= AS_RADIANS:
-                self.refuse(
-                    self.rows[-1][0],
-                    f"the unit of the angles, up to {angles[-1]:g}, is missing",
-                    "a title such as angle (deg) or angle (rad)",
-                )
+                problem = f"the unit of the angles, up to {angles[-1]:g}, is missing"
+                self.refuse(self.rows[-1][0], problem, "a title such as angle (deg) or angle (rad)")
             self.assumptions.append("the angles are in degrees")
         degrees = angles * (factor or 1.0)
         if abs(degrees).max() > FLAT + SLACK:
             line = self.rows[int(abs(degrees).argmax())][0]
-            self.refuse(
-                line,
-                f"a polar angle of {degrees[abs(degrees).argmax()]:g} deg is out of range",
-                "angles from 0 to 180 deg, or from -180 to 180 deg; not a spectrum",
-            )
+            problem = f"a polar angle of {degrees[abs(degrees).argmax()]:g} deg is out of range"
+            hint = "angles from 0 to 180 deg, or from -180 to 180 deg; not a spectrum"
+            self.refuse(line, problem, hint)
         return numpy.clip(degrees, -FLAT, FLAT)
 
     def units(self, titled_columns: Sequence[column_titles.Column]) -> tuple[str, Any]:
@@ -237,12 +227,11 @@ class _Reader:
         ]
         if unknown:
             unknown_titles = f" ({listed(unknown)})" if any(unknown) else ""
-            self.refuse(
-                head,
+            problem = (
                 f"{len(unknown)} of {len(titled_columns)} columns{unknown_titles} have no C plane "
-                "in their titles",
-                "titles such as gamma,C0,C90; or one column of intensities",
+                "in their titles"
             )
+            self.refuse(head, problem, "titles such as gamma,C0,C90; or one column of intensities")
         planes = numpy.array([column.plane for column in titled_columns])
         if (numpy.diff(planes) <= 0).any() or planes[0] < -FLAT or planes[-1] > 2 * FLAT:
             plane_texts = listed([f"{plane:g}" for plane in planes])
@@ -256,11 +245,8 @@ class _Reader:
     def cuts(self, degrees: Any, planes: Any, values: Any) -> tuple[Any, Any, Any]:
         """Return the half planes of cuts through the axis: negative angles are opposite."""
         if abs(degrees[0] + degrees[-1]) > SLACK:
-            self.refuse(
-                self.rows[-1][0],
-                f"the angles go from {degrees[0]:g} to {degrees[-1]:g} deg",
-                "as far on both sides of the axis, or from 0 up",
-            )
+            problem = f"the angles go from {degrees[0]:g} to {degrees[-1]:g} deg"
+            self.refuse(self.rows[-1][0], problem, "as far on both sides of the axis, or from 0 up")
         if planes[-1] - planes[0] >= FLAT:
             self.refuse(
                 self.rows[0][0],

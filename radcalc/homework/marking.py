@@ -201,9 +201,8 @@ def key(question: Question, wanted: str, expected: str, tolerance: str | None) -
         raise errors.UsageError("a question has one answer, but its command has several", proposed)
     row = pick(question.answer.values, wanted or present[0].name)
     if not isinstance(row.value, float):
-        raise errors.UsageError(
-            "a question has one answer, not several", "a result that is a number"
-        )
+        problem = "a question has one answer, not several"
+        raise errors.UsageError(problem, "a result that is a number")
     target = next(v for v in question.answer.values if row.name in (v.name, v.also))
     found = Key(question, target, row, tolerance)
     own = f"{row.name}={row.value!r} {row.unit}"
@@ -271,17 +270,15 @@ def read_parts(text: str) -> dict[str, float]:
         name, _, number = map(str.strip, entry.partition("="))
         if name not in NAMES:
             problem = f"{option('points')}: unknown verdict '{quote(name)}'"
-            raise errors.ConditionError(
-                problem, f"some of {listed([f'{n}=0.5' for n in NAMES], ',')}"
-            )
+            hint = f"some of {listed([f'{n}=0.5' for n in NAMES], ',')}"
+            raise errors.ConditionError(problem, hint)
         try:
             part, end = read_number(number)
         except errors.NumberError:
             part, end = -1.0, 0
         if end != len(number) or not 0 <= part <= 1:
             problem = f"{option('points')}: '{quote(entry.strip())}' is out of range"
-            raise errors.ConditionError(
-                problem, f"{name}=0.5: a part of a question's points, from 0 to 1"
-            )
+            hint = f"{name}=0.5: a part of a question's points, from 0 to 1"
+            raise errors.ConditionError(problem, hint)
         parts[NAMES[name]] = part
     return parts

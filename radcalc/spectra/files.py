@@ -364,9 +364,8 @@ class _Reader:
     def axes(self, header: list[str]) -> list[int]:
         """Return the columns of wavelengths: the first, or those with their title."""
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
-            raise self.error(
-                0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
-            )
+            problem = f"a title of {longest} characters"
+            raise self.error(0, problem, f"up to {column_titles.LONGEST}")
         plain = [columns.plain(title) for title in header]
         places = [k for k, title in enumerate(plain) if column_titles.is_of_wavelengths(title)]
         if len(places) > 1 and places[0] > 0:
@@ -463,9 +462,8 @@ class _Reader:
         if self.column:
             place = self.named(["" if k in axes else name for k, name in enumerate(names)])
             if place in axes:
-                raise self.error(
-                    0, f"column {place + 1} has the wavelengths", _named(names, others)
-                )
+                problem = f"column {place + 1} has the wavelengths"
+                raise self.error(0, problem, _named(names, others))
             self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
             return place, names[place]
         if of_jaz := instruments.processed_column(names, self.preamble):
@@ -525,11 +523,8 @@ class _Reader:
         for before, after in pairwise(order):
             if grid[before] == grid[after]:
                 first, second = sorted((lines[before], lines[after]))
-                raise self.error(
-                    second,
-                    f"the wavelength {grid[after]:g} nm is also in line {first}",
-                    "each wavelength once",
-                )
+                problem = f"the wavelength {grid[after]:g} nm is also in line {first}"
+                raise self.error(second, problem, "each wavelength once")
         self.notes.append("the wavelengths are not in order; the rows are sorted")
         return array("d", [grid[i] for i in order]), array("d", [values[i] for i in order])
 

@@ -95,10 +95,8 @@ class Elapsed:
 
     def period(self, tick: float, by: str) -> Interval:
         """Refuse days: a time without a date has none."""
-        raise errors.ConditionError(
-            f"the times have no date, so they have no {by}",
-            "times with dates: 2024-06-01T12:35, or Unix time",
-        )
+        problem = f"the times have no date, so they have no {by}"
+        raise errors.ConditionError(problem, "times with dates: 2024-06-01T12:35, or Unix time")
 
 
 class Calendar:
@@ -185,10 +183,8 @@ class Calendar:
         candidates = {local - _offset(self.zone, local, fold) for fold in (0, 1)}
         ticks = sorted(t for t in candidates if t + _offset_at(self.zone, t) == local)
         if not ticks:
-            raise NumberError(
-                f"'{quote(text)}' does not exist in {self.zone}: clocks are put forward there",
-                _without_change(self.zone, local),
-            )
+            problem = f"'{quote(text)}' does not exist in {self.zone}: clocks are put forward there"
+            raise NumberError(problem, _without_change(self.zone, local))
         if len(ticks) == 1:
             if self.doubtful:
                 raise Undecided(*_comes_twice(self.doubtful, self.zone, ticks[0]))

@@ -36,9 +36,8 @@ class Fields:
 
     def of(self, count: int) -> Iterator[int]:
         if count < self.last:
-            raise errors.NumberError(
-                f"field {self.last} is missing", f"a line of {self.last} fields"
-            )
+            problem = f"field {self.last} is missing"
+            raise errors.NumberError(problem, f"a line of {self.last} fields")
         chosen, done = [], 0
         for first, last in self.ranges:
             end = last or count
@@ -60,14 +59,12 @@ def _range(text: str, part: str) -> tuple[int, int]:
         raise errors.UsageError(f"{option_text} is not a list of fields", FIELDS, [fix])
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
-        raise errors.UsageError(
-            f"{option_text} is out of range", f"fields are numbered from 1 to {MOST}"
-        )
+        problem = f"{option_text} is out of range"
+        raise errors.UsageError(problem, f"fields are numbered from 1 to {MOST}")
     if high and high < low:
         rising = text.replace(part.strip(), f"{high}-{low}")
-        raise errors.UsageError(
-            f"{option_text} has a decreasing range", errors.add("field", rising)
-        )
+        problem = f"{option_text} has a decreasing range"
+        raise errors.UsageError(problem, errors.add("field", rising))
     return low, high
 
 
@@ -75,11 +72,9 @@ def read_delimiter(text: str) -> str:
     """Read one character, or the name of one that is hard to type at a shell."""
     character = NAMED.get(text.lower(), text)
     if len(character) != 1 or character in '"\n\r\0':
-        raise errors.UsageError(
-            f"{option('delimiter', quote(text))} is not one character",
-            "a character, such as , or ; or tab",
-            _delimiters(text),
-        )
+        problem = f"{option('delimiter', quote(text))} is not one character"
+        hint = "a character, such as , or ; or tab"
+        raise errors.UsageError(problem, hint, _delimiters(text))
     return character
 
 
@@ -130,9 +125,8 @@ class Cut:
         """Refuse an opening quote that is not closed at the end of the field, on the line."""
         field = field.strip(self.blanks)
         if field[:1] == b'"' and (len(field) < 2 or field[-1:] != b'"'):
-            raise errors.NumberError(
-                "a quoted field does not end on its line", "one line for each record"
-            )
+            problem = "a quoted field does not end on its line"
+            raise errors.NumberError(problem, "one line for each record")
 
     def inner(self, line: bytes, span: Span) -> Span:
         if not self.delimiter:

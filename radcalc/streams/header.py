@@ -136,9 +136,8 @@ class Header:
         out += line[done:]
         if self.adds:
             if (new_title := self.title_of(read[0])) in titles:
-                raise errors.UsageError(
-                    f"{WHERE} has the column '{quote(new_title)}'", "another name"
-                )
+                problem = f"{WHERE} has the column '{quote(new_title)}'"
+                raise errors.UsageError(problem, "another name")
             out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(new_title)
         return bytes(out), len(titles) if self.cut else 0
 
@@ -212,10 +211,8 @@ class Header:
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
-                raise errors.UsageError(
-                    f"the unit of '{quote(titles[0].text)}' is missing in {WHERE}",
-                    self.call("UNIT"),
-                )
+                problem = f"the unit of '{quote(titles[0].text)}' is missing in {WHERE}"
+                raise errors.UsageError(problem, self.call("UNIT"))
             if not self.is_known:
                 problem = f"the unit of the results is missing in {WHERE}"
                 raise errors.UsageError(problem, option("get", "NAME:UNIT"))

@@ -259,15 +259,12 @@ class Quantities:
     def read(self, text: bytes) -> tuple[Plan, float]:
         amount = read_for(pointed(decoded(text), self.mark), self.target)
         if amount.unit is None:
-            raise UsageError(
-                f"the unit of '{quote(text.decode())}' is missing",
-                f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
-            )
+            hint = f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers"
+            raise UsageError(f"the unit of '{quote(text.decode())}' is missing", hint)
         if amount.is_uncertain:
-            raise NumberError(
-                f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
-                f"the value alone, or a separate call: {command('convert', quote(amount.text))}",
-            )
+            problem = f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry"
+            hint = f"the value alone, or a separate call: {command('convert', quote(amount.text))}"
+            raise NumberError(problem, hint)
         return self._plan(self.unit_of(amount) or amount.unit), amount.typed[0]
 
     def _plan(self, unit: Unit) -> Plan:
@@ -363,10 +360,8 @@ def pointed(text: str, mark: bytes) -> str:
     if mark == POINT:
         return text
     if POINTED.search(text):
-        raise NumberError(
-            f"'{quote(text)}' has a point in its number, but the decimal mark is a comma",
-            "a comma before the decimals, and nothing between thousands",
-        )
+        problem = f"'{quote(text)}' has a point in its number, but the decimal mark is a comma"
+        raise NumberError(problem, "a comma before the decimals, and nothing between thousands")
     if "," in DECIMAL_COMMA.sub("", text):
         raise NumberError(f"'{quote(text)}' is not a number with a decimal comma", "1,5")
     return text.replace(mark.decode(), ".")
