@@ -207,8 +207,12 @@ class _Sky:
         self.name, self.type = name, sky_type(name)
         self.is_located = "place" in given or "when" in given
         if self.is_located and not (self.type.follows_sun or _is_sunlit(given)):
-            useless = [item for item in ("place", "when") if item in given]
-            raise errors.Unused(useless, IS_EVEN.format(errors.quote(name)))
+            typed = {item: given[item].text for item in ("place", "when") if item in given}
+            ways = [errors.leave_out(*typed)]
+            if len(typed) > 1:
+                of_sun = {"tilt": "0deg", "get": "sun-elevation"}
+                ways.append(errors.call("sky", "clear", **typed, **of_sun))
+            raise errors.Unused([*typed], IS_EVEN.format(errors.quote(name)), ways)
         if self.is_located:
             from radcalc.inputs.sun import located  # which needs pvlib
 

@@ -181,6 +181,12 @@ def test_assumptions_are_stated():
             "the same at every azimuth",
             "try: radcalc sky 3 --tilt 3deg\n",
         ),
+        (  # for the position of the sun alone
+            "-g sun-elevation --place 50.1N,14.4E --when 2026-06-21T12:00+02:00",
+            "not apply to the sky type overcast",
+            "try: radcalc sky clear --place 50.1N,14.4E --when 2026-06-21T12:00+02:00 "
+            "--tilt 0deg -g sun-elevation\n",
+        ),
         ("clear --sun-elevation -1deg", "out of range", "above the horizon"),
         ("clear --sun-elevation 91deg", "out of range", "90 deg"),
         (f"clear {SUN} --zenith-luminance 1cd/m2", "--sun-azimuth does not apply", "--tilt 90deg"),
