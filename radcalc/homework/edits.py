@@ -228,9 +228,7 @@ def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candida
     if (target == p.chain.goal or target in RATIOS) and (
         value := p.chain.after(target, 1 / size)
     ) is not None:
-        done = Translatable(
-            "the fraction was inverted: the result is the reciprocal of the {0}", label
-        )
+        done = Translatable(INVERTED, label)
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
 

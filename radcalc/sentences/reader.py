@@ -6,6 +6,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from radcalc.calculators import SUMMARIES
+from radcalc.conversion.operands import unit_first
 from radcalc.errors import WORDS, RadcalcError, UsageError, input_of, is_wordy
 from radcalc.quantities import RADIANT
 from radcalc.quantities import read as read_light
@@ -155,17 +156,11 @@ def _read(typed: "list[str]") -> Sentence:
         found = _found(text, reading)
     if reading.has_between:
         return found._replace(also=_found(text, _Reading(words, LANGUAGES, is_forward=True)))
-    if other := _with_first_unit(typed):
-        return found._replace(also=_found(text, _Reading(_apart(words_of(other)), LANGUAGES)))
+    parts = text.split()
+    if unit_first(parts[:3]):  # lx 1000 cd 2 m, whose number may be of the first unit
+        other = _apart(words_of([parts[1], parts[0], "to", *parts[2:]]))
+        return found._replace(also=_found(text, _Reading(other, LANGUAGES)))
     return found
-
-
-def _with_first_unit(typed: "list[str]") -> "list[str]":
-    """Return the words of `lx 1000 cd 2 m` with its number for the first unit; [] for others."""
-    first, number, *rest = " ".join(typed).split()[:3] + [""] * 3
-    if not (number.replace(".", "", 1).isdigit() and unit_in([first]) and unit_in(rest[:1])):
-        return []
-    return [number, first, "to", *" ".join(typed).split()[2:]]
 
 
 def _apart(words: list[Word]) -> list[Word]:
