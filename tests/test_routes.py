@@ -28,6 +28,7 @@ KINDS = {
     "time,E [lx]\n2024-06-01T12:00Z,5\n2024-06-01T13:00Z,7\n": LOG,
     "2024-06-01 12:00,5\n2024-06-01 13:00,7\n": LOG,
     "t [h],E [lx]\n0,50\n4,80\n": LOG,
+    "Data; Hora; Lux\n2000/1/1; 00:00:00; 0;\n2000/1/1; 00:01:00; 1;\n": LOG,  # ends in ;
     "time,lux,temperature (°C)\n2024-06-01 12:00,5,20\n2024-06-01 13:00,7,21\n": LOG,
     "time,E [lx],PAR [umol/m2/s]\n2024-06-01T12:00Z,5,6\n2024-06-01T13:00Z,7,8\n": TABLE,
     "name,x,y,z,flux\na,0,0,2,800lm\n": SCENE,

@@ -78,19 +78,6 @@ class Period:
     The sum is kept in two floats, so that ten million terms lose no digits.
     """
 
-    __slots__ = (
-        "count",
-        "covered",
-        "end",
-        "is_in_gap",
-        "label",
-        "low",
-        "peak",
-        "start",
-        "total",
-        "when",
-    )
-
     def __init__(self, start: float, end: float, label: str = "") -> None:
         self.start, self.end, self.label = start, end, label
         self.total = self.low = 0.0

@@ -384,9 +384,12 @@ class Head:
         rows = rows[self.skipped(rows) :]
         named = self.named_row(rows, wanted) if any(wanted) else None
         start = 0 if named is None else named + 1
-        first = next(
-            (k for k in range(start, len(rows)) if self.is_row(rows[k][1], named is not None)), None
-        )
+        places = range(start, len(rows))
+        first = next((k for k in places if self.is_row(rows[k][1], named is not None)), None)
+        self.has_texts = first is None  # in columns without titles of the call
+        if first is None:
+            sure = (k for k in places if dialect(rows[k][1])[0] or is_number(rows[k][1]))
+            first = next((k for k in sure if self.is_row(rows[k][1], True)), None)
         if first is None:
             raise self.no_data(rows)
         self.number, line = rows[first]

@@ -62,13 +62,6 @@ MOST_BEFORE = 100  # lines before the titles of a scene
 X = re.compile(r"\s*x(?![^\W_])", re.IGNORECASE)
 
 
-class LooseRows(FirstRows):
-    """The first rows of a table with text in some of its columns."""
-
-    def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
-        return any(map(is_number, cells))
-
-
 class Contents(NamedTuple):
     """The kind of a file, and the first rows of its table if it is one.
 
@@ -167,11 +160,9 @@ def _is_scene(lines: Sequence[str]) -> bool:
 
 def _rows(lines: list[str], name: str) -> FirstRows | None:
     """Return the first rows of a table of numbers, with or without columns of text."""
-    head = first_lines([(1, lines)])
-    for kind in (FirstRows, LooseRows):
-        with suppress(RadcalcError):
-            rows = kind(name, head, LogSettings())
-            return rows if _is_table(rows) else None
+    with suppress(RadcalcError):
+        rows = FirstRows(name, first_lines([(1, lines)]), LogSettings())
+        return rows if _is_table(rows) else None
     return None
 
 
@@ -181,9 +172,12 @@ def _is_table(rows: FirstRows) -> bool:
     are_numbers = all(columns.is_number(cell, True) or rows.is_start(cell) for cell in cells)
     if not are_numbers and not (rows.table.delimiter and len(cells) > 1):
         return False
-    widths = [len(rows.cells_of(line)) for _, line in rows.below]
-    are_rows = are_numbers or bool(rows.names) or len(widths) > 1
-    return are_rows and 2 * widths.count(rows.table.width) >= len(widths)
+    below, alike = rows.below, 0
+    for number, line in below:
+        with suppress(LineError):
+            alike += bool(rows.table.cells(number, line))
+    are_rows = are_numbers or bool(rows.names) or len(below) > 1
+    return are_rows and 2 * alike >= len(below)
 
 
 def _are_of_angles(titles: Sequence[str]) -> bool:
@@ -200,7 +194,7 @@ def _are_of_angles(titles: Sequence[str]) -> bool:
 
 def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
     """Return whether a table has times and a single column that may be light."""
-    if rows is None or isinstance(rows, LooseRows) or not (rows.times or rows.parts[0]):
+    if rows is None or rows.has_texts or not (rows.times or rows.parts[0]):
         return False
     try:
         LogHead(name, first_lines([(1, lines)]), LogSettings())

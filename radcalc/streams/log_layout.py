@@ -16,7 +16,7 @@ from radcalc.quantities.column_titles import is_same, read_title, unit_of_meter,
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
-from radcalc.units import Unit
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import TIME
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any
@@ -44,7 +44,8 @@ PARTS = {
 TEXTS, DEVICES = "texts", "devices"
 OF_SERIES = ("id", "device", "sensor", "channel", "station", "logger", "node", "serial", "probe")
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
-OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hodina", "час")
+OF_HOURS = ("hour", "hr", "hh", "hora", "stunde", "heure", "hodina", "час", "hours", "hhmm")
+ONE_HOUR = 8  # the first of them are titles of whole hours
 OF_TIME = re.compile(
     r"\b(?:time|date|datetime|elapsed|timestamp|unix|epoch|zeit|datum|čas|время|дата)\b|^t$"
 )
@@ -272,6 +273,8 @@ class LogHead(FirstRows):
         more: Iterable[tuple[int, list[str]]] = (),
     ) -> None:
         super().__init__(name, lines, settings)
+        if len(self.cells) < 2:
+            raise self.no_data(lines)
         self.layout = self._layout([line for number, line in lines if number >= self.begin], more)
 
     def _layout(self, lines: list[str], more: Iterable[tuple[int, list[str]]]) -> LogLayout:
@@ -332,19 +335,25 @@ class LogHead(FirstRows):
             stamps = [0]
         if len(stamps) == 1:
             return (*stamps, *self._clock_column(stamps[0]))
-        choices = self._named(stamps or range(len(self.cells)))
         problem = "the column of the times is missing"
         if stamps:
             problem = f"there are {len(stamps)} columns of times"
-        hint = f"{option('time-column', 'NAME')} of {choices}"
-        raise self.error(self.number, problem, hint)
+        raise self._choice(problem, "time-column", stamps, range(len(self.cells)))
 
-    def _named(self, places: Iterable[int]) -> str:
-        """Return columns by name, or by number if they have none of their own."""
+    def _choice(
+        self, problem: str, name: str, likely: Sequence[int], others: Iterable[int], more: str = ""
+    ) -> errors.LineError:
+        """Return the error for columns that need a choice, by name or else by number."""
         names = self.names
-        return listed(
-            [names[k] if names and names.count(names[k]) == 1 else str(k + 1) for k in places]
-        )
+        own = [
+            names[k] if names and names.count(names[k]) == 1 else str(k + 1)
+            for k in likely or others
+        ]
+        hint = f"{option(name, 'NAME')} {more}of {listed(own)}"
+        found = self.error(0 if more else self.number, problem, hint)
+        is_short = likely and not more and len(own) <= errors.MOST
+        found.tries = tuple([errors.add(name, one) for one in own if is_short])
+        return found
 
     def _clock_column(self, date: int) -> list[int]:
         """Find the column of the times of day: next to the dates, or by its title."""
@@ -356,15 +365,19 @@ class LogHead(FirstRows):
         near = [k for k in clocks if abs(k - date) == 1]
         candidates = [k for k in near if k in titled] or near or titled
         if len(candidates) > 1:
-            choices = self._named(candidates)
-            hint = f"{option('time-column', 'NAME')} twice, for the date and one of {choices}"
-            raise self.error(0, f"there are {len(candidates)} columns of clocks", hint)
+            problem = f"there are {len(candidates)} columns of clocks"
+            more = "twice, for the date and one "
+            raise self._choice(problem, "time-column", candidates, (), more)
         hours = [k for k, name in enumerate(names) if columns.plain(name) in OF_HOURS]
         if not candidates and hours and date not in hours and ":" not in cells[date]:
-            title = quote(names[hours[0]])
-            ways = " ".join(option("time-column", quote(names[k])) for k in (date, hours[0]))
-            hint = f"{ways} with {option('time-format', '%Y-%m-%d %H')}, or the like"
-            raise self.error(0, f"the column '{title}' may be the time of the dates", hint)
+            hour, is_short = cells[hours[0]], columns.plain(names[hours[0]]) in OF_HOURS[:ONE_HOUR]
+            if not (len(hours) == 1 and is_short and hour.isdigit() and len(hour) < 3):
+                ways = " ".join(option("time-column", quote(names[k])) for k in (date, hours[0]))
+                form = "%Y-%m-%d %H" + "%M" * (not is_short)
+                hint = f"{ways} with {option('time-format', form)}, or the like"
+                problem = f"the column '{quote(names[hours[0]])}' may be the time of the dates"
+                raise self.error(0, problem, hint)
+            candidates = hours
         if candidates and names:
             pair = f"'{quote(names[date])}' and '{quote(names[candidates[0]])}'"
             self.assumptions.append(f"the date and the clock are those of {pair}")
@@ -378,12 +391,11 @@ class LogHead(FirstRows):
             place = self._place(self.settings.column)
         else:
             numbers = [k for k in candidates if is_number(cells[k])]
-            of_light = [k for k in candidates if _may_be_light(self._title(k))]
-            of_light = of_light or (numbers if titles and len(candidates) > 1 else candidates)
+            named = [k for k in candidates if _may_be_light(self._title(k))]
+            of_light = named or (numbers if titles and len(candidates) > 1 else candidates)
             if len(of_light) != 1:
                 problem = f"there are {len(of_light)} columns of values"
-                hint = f"{option('column', 'NAME')} of {self._named(of_light or candidates)}"
-                raise self.error(self.number, problem, hint)
+                raise self._choice(problem, "column", named, of_light or candidates)
             place = of_light[0]
             if titles and len(candidates) > 1:
                 chosen = f"{place + 1} {quote(self.names[place])}".strip()
@@ -402,6 +414,8 @@ class LogHead(FirstRows):
             )
         unit = resolve_any(self.settings.unit) if self.settings.unit else declared
         if unit is None:
+            if (stated := read_title(title).unit) and stated.dimension == NUMBER:
+                self._refuse_unlike(title, resolve("lx"))  # RH (%) is none of any unit
             raise errors.MissingInput(
                 f"{self.name}: the unit of the values is missing",
                 errors.mention(

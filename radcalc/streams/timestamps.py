@@ -260,7 +260,8 @@ def _ways(text: str, parts: re.Match[str], orders: Sequence[str]) -> list[errors
     clock = text[parts.end() + 1 :]
     rest, zone = re.subn(f" ?{OFFSET}$", "", clock.strip())
     rest, fraction = FRACTION.subn("", rest)
-    form = next(filter(partial(_is_time, rest), (*CLOCKS, "%H%M", "%H%M%S")), "")
+    digits = ("%H",) if len(rest) < 3 else ("%H%M", "%H%M%S")
+    form = next(filter(partial(_is_time, rest), (*CLOCKS, *digits)), "")
     clock = text[parts.end()] + form + ".%f" * fraction + "%z" * zone if form else ""
     return [
         add("time-format", parts[2].join(f"%{part}" for part in order) + clock) for order in orders

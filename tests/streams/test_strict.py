@@ -63,7 +63,7 @@ TIMES = {
     rows("time", "20240601 1800", "20240602 0600", "20240603 0000"): 1.08e7,  # 100 lx for 30 h
     "time;E [lx]\n2024-06-01 12:00;0,5\n2024-06-01 13:00;0,5\n": 1800,
     "time\tE [lx]\n20240601 1800\t100\n20240602 0600\t100\n": 4.32e6,
-    "time|E [lx]\n1 Jun 2024 12:00|1\n1 Jun 2024 13:00|1\n": "no time and value",
+    "time|E [lx]\n1 Jun 2024 12:00|1\n1 Jun 2024 13:00|1\n": "is not a date and time",
     # day and month by all lines; 05/05 has one reading
     rows("time", "4/02/2015 11:00", "4/02/2015 12:00", "13/02/2015 12:00"): 7.812e7,  # 217 h
     rows("time", "05/05/2018 09:00", "05/05/2018 10:00"): 3.6e5,
@@ -80,8 +80,13 @@ TIMES = {
     "YEAR,MO,DY,HR,E [lx]\n2020,6,1,10,100\n2020,6,1,11,100\n": 3.6e5,
     "Year,Month,Day,Hour,Minute,E [lx]\n2022,6,1,11,30,100\n2022,6,1,12,30,100\n": 3.6e5,
     "LST_DATE,LST_TIME,E [lx]\n20190101,0955,100\n20190101,1005,100\n": 6e4,
-    "date,hour,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": "may be the time of the dates",
-    "date,hh,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": "may be the time of the dates",
+    # whole hours beside dates: 100 lx for 12 h; a number of hours, or hours and minutes, may not be
+    "date,hour,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": 4.32e6,
+    "date,hh,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": 4.32e6,
+    "date,hour,E [lx]\n01/06/2024,18,100\n02/06/2024,6,100\n": "ambiguous",
+    "date,hour,E [lx]\n2024-06-01,95,100\n2024-06-01,100,100\n": "is not a time of day",
+    "date,hours,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": "may be the time of the dates",
+    "date,hhmm,E [lx]\n2024-06-01,18,100\n2024-06-02,6,100\n": "may be the time of the dates",
 }  # fmt: skip
 ROWS = {
     # series of two sensors in one table
@@ -115,6 +120,7 @@ ROWS = {
     # a line between the titles and the data
     "time,E [lx]\nx,y\n2024-06-01T12:00,1\n2024-06-01T13:00,1\n": "between the titles and the",
 }  # fmt: skip
+OF_TEXTS = "1,100,OK\n2,200,OK\n3,150,OK\n"
 TOLD = [
     (of("E [lx]") + "2024-06-01T14:00,-99.9\n", {"missing": "-99.9"}, 3.6e5),
     (of("E [lx]") + "2024-06-01T14:00,65535\n", {"missing": ["65535", "9999"]}, 3.6e5),
@@ -133,6 +139,11 @@ TOLD = [
     (of("G(i)"), {"unit": "W/m2"}, 3.6e5),
     (of("Global LI-210 [klux]", "1"), {"unit": "lx"}, 3600),
     (of("RH (%)"), {"unit": "lx"}, "not in a unit of light"),
+    (of("RH (%)"), {}, "numbers in %, not in a unit of light"),
+    # a column of texts, without titles: 100, 200 and 150 lx at 1, 2 and 3 s
+    (OF_TEXTS, {"time_column": 1, "column": 2, "unit": "lx", "time_unit": "s"}, 325),
+    (OF_TEXTS, {"time_column": 1, "unit": "lx", "time_unit": "s"}, "2 columns of values"),
+    ("1\n2\n", {"unit": "lx", "time_unit": "s"}, "no time and value"),
     ("t,lux\n0,1\n1,1\n", {"time_unit": "h"}, 3600),
     ("t,lux\n45166.5,1\n45167.5,1\n", {"time_unit": "d"}, 86400),
     (rows("time", "2019071710", "2019071711"), {"time_format": "%Y%m%d%H"}, 3.6e5),
@@ -199,6 +210,17 @@ def test_a_sample_above_what_the_sun_gives_is_noted_with_its_line(unit, value, i
     done = run("dose", "-", input=of(f"E [{unit}]", "1") + f"2024-06-01T14:00,{value}\n")
     assert ("more than the sun gives" in done.stderr) == is_noted
     assert ("in line 4 " in done.stderr) == is_noted
+
+
+def test_columns_of_light_are_proposed_with_their_sums(tmp_path):
+    """By the trapezoids of 10 and 20, and of 20 and 30 W/m2, over an hour."""
+    rows = "2024-06-01 10:00,10,20\n2024-06-01 11:00,20,30\n"
+    (tmp_path / "log.csv").write_text(f"time,GHI (s),GHI (n)\n{rows}", "utf-8")
+    done = run("dose", str(tmp_path / "log.csv"))
+    assert "--column 'GHI (s)'\n     exposure 15 Wh/m2" in done.stderr
+    assert "--column 'GHI (n)'\n     exposure 25 Wh/m2" in done.stderr
+    done = run("dose", "-", input=f"time,T,RH\n{rows}")  # no light, by their titles
+    assert "try: --column NAME of T, RH" in done.stderr
 
 
 @pytest.mark.parametrize(("text", "listed", "said"), [
