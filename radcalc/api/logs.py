@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from datetime import date, timedelta
 from io import BytesIO
-from typing import Any, NamedTuple, overload
+from typing import Any, overload
 from warnings import warn
 
 import numpy
@@ -35,50 +35,40 @@ TIMES = "times as the second argument, or a Series of pandas with a DatetimeInde
 SKIPPING = ABORT, WARN, IGNORE
 UNDRAWN = Undrawn("a part of a log has no picture", "the whole log, without by")
 
-Opened = tuple[str, Callable[[int], bytes]]  # the name of a log, and what reads its bytes
-Source = AbstractContextManager[Opened]
+# The name of a log, and what reads its bytes.
+Source = AbstractContextManager[tuple[str, Callable[[int], bytes]]]
 
 
-class Table(NamedTuple):
-    """Readings and their times as texts, with the titles of both, and the zone of the times."""
-
-    titles: tuple[str, str]
-    times: Sequence[str]
-    values: Sequence[str]
-    unit: str = ""
-    time_unit: str = ""
-    zone: str = ""
-
-    @contextmanager
-    def opened(self) -> Iterator[Opened]:
-        rows = [self.titles, *zip(self.times, self.values, strict=True)]
-        yield "the log", BytesIO("\n".join(map(TAB.join, rows)).encode()).read
-
-
-def _of_file(path: str, times: Times, chosen: LogSettings) -> tuple[LogSettings, Source]:
-    """Return the settings of a log in a file, and the file."""
-    if times is not None:
-        raise ConditionError("times do not apply to a file", mention("{time-column}"))
-    return chosen, opened(path, EXPECTED)
-
-
-def _of_readings(readings: Any, times: Times, chosen: LogSettings) -> tuple[LogSettings, Source]:
-    """Return the settings of readings in memory, and their text."""
+def _of_readings(readings: Any, times: Any, chosen: LogSettings) -> tuple[LogSettings, Source]:
+    """Return the settings of readings in memory, and their text with that of their times."""
     if chosen.column or chosen.times or chosen.where:
         raise ConditionError("readings in memory have no columns to choose", "a file")
-    table = _table(readings, times, chosen.unit)
-    clock = chosen.clock
-    clock = clock._replace(zone=clock.zone or table.zone, unit=clock.unit or table.time_unit)
-    settings = chosen._replace(
-        times=("1",),
-        column="2",
-        unit=table.unit,
-        delimiter=TAB,
-        clock=clock,
-        row="reading",
-        first=0,
-    )
-    return settings, table.opened()
+    values = as_array(readings) if isinstance(readings, (list, tuple)) else readings
+    of_values = _elements(values, "readings")
+    if times is None:
+        times = getattr(readings, "index", None)
+        if not hasattr(times, "freq"):  # an index of dates or of timedeltas
+            raise MissingInput("the times of the readings are missing", TIMES)
+    of_times = _elements(times, "times")
+    arguments.refuse_unlike_index(values, times)
+    if len(of_values) != len(of_times):
+        problem = f"there are {len(of_values)} readings and {len(of_times)} times"
+        raise ConditionError(problem, "a time for each reading")
+    own = arguments.unit_of(values).text if arguments.is_quantity(values) else ""
+    if own and chosen.unit:
+        raise ConditionError("unit cannot be used with readings that have a unit", "leave out unit")
+    first, clock = of_times[0] if of_times else None, chosen.clock
+    zone = getattr(first, "tzinfo", None)
+    zone_name = getattr(zone, "key", None) or getattr(zone, "zone", None) or ""
+    unit = "s" if isinstance(first, (timedelta, numpy.timedelta64)) else ""
+    unit = arguments.unit_of(times).text if arguments.is_quantity(times) else unit
+    clock = clock._replace(zone=clock.zone or zone_name, unit=clock.unit or unit)
+    titles = _title(times, "time"), _title(readings, "value")
+    rows = [titles, *zip(map(_cell, of_times), map(_cell, of_values), strict=True)]
+    text = BytesIO("\n".join(map(TAB.join, rows)).encode())
+    settings = chosen._replace(times=("1",), column="2", unit=own or chosen.unit, delimiter=TAB)
+    settings = settings._replace(clock=clock, row="reading", first=0)
+    return settings, nullcontext(("the log", text.read))
 
 
 @overload
@@ -180,8 +170,11 @@ def dose(
         thousands=thousands,
     )
     path = os.fspath(readings) if isinstance(readings, (str, os.PathLike)) else None
-    of = _of_readings(readings, times, chosen) if path is None else _of_file(path, times, chosen)
-    settings, source = of
+    if path is not None and times is not None:
+        raise ConditionError("times do not apply to a file", mention("{time-column}"))
+    settings, source = (
+        _of_readings(readings, times, chosen) if path is None else (chosen, opened(path, EXPECTED))
+    )
     with source as (name, read):
         skipped: list[LineError] = []
         log = LogDose(Log(name, read, settings, skipped.append), inputs, period, samples or "")
@@ -207,35 +200,6 @@ def _listed(key: str, given: Any) -> list[str]:
             problem = f"{key} is {article(type(one).__name__)}, not a text or a number"
             raise ConditionError(problem, f"{key} as a text, or a list of texts")
     return [*map(str, several)]
-
-
-def _table(readings: Any, times: Any, unit: str) -> Table:
-    """Return readings in memory with their times."""
-    values = as_array(readings) if isinstance(readings, (list, tuple)) else readings
-    of_values = _elements(values, "readings")
-    if times is None:
-        times = getattr(readings, "index", None)
-        if not hasattr(times, "freq"):  # an index of dates or of timedeltas
-            raise MissingInput("the times of the readings are missing", TIMES)
-    of_times = _elements(times, "times")
-    arguments.refuse_unlike_index(values, times)
-    if len(of_values) != len(of_times):
-        problem = f"there are {len(of_values)} readings and {len(of_times)} times"
-        raise ConditionError(problem, "a time for each reading")
-    own = arguments.unit_of(values).text if arguments.is_quantity(values) else ""
-    if own and unit:
-        raise ConditionError("unit cannot be used with readings that have a unit", "leave out unit")
-    first = of_times[0] if of_times else None
-    zone = getattr(first, "tzinfo", None)
-    unit_of_times = "s" if isinstance(first, (timedelta, numpy.timedelta64)) else ""
-    return Table(
-        (_title(times, "time"), _title(readings, "value")),
-        [_cell(time) for time in of_times],
-        [_cell(value) for value in of_values],
-        own or unit,
-        arguments.unit_of(times).text if arguments.is_quantity(times) else unit_of_times,
-        getattr(zone, "key", None) or getattr(zone, "zone", None) or "",
-    )
 
 
 def _elements(value: Any, what: str) -> list[Any]:

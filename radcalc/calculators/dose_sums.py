@@ -124,8 +124,7 @@ class Dose:
         self.edge: Any = None  # of the last sample; None before the first step
         self.usual: float = 0  # the last bridged step, a whole number of ticks of a date
         self.longest = longest * (1 + ROUNDED)
-        self.bridges = bridges
-        self.spans = spans
+        self.bridges, self.spans = bridges, spans
         self.periods: list[Period] = []
         self.first: Any = None  # tick
         self.time: Any = None  # of the last sample

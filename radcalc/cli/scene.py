@@ -7,7 +7,7 @@ import math
 import os
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, texts_of
@@ -277,10 +277,6 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     bare = any(place.unit is None for place in places)
     values = [place.value for place in places]
     return Points(lambda: scene.blocks(values), len(at), at, (IN_METRES,) if bare else ())
-
-
-if TYPE_CHECKING:
-    pass
 
 
 EXAMPLES = (

@@ -111,9 +111,7 @@ class _Conversion(_Work):
         output: Output,
     ) -> None:
         super().__init__(layout, output)
-        self.source = source
-        self.target = target
-        self.given = given
+        self.source, self.target, self.given = source, target, given
         self.titles: Header | None = None
         self.planned: list[Plan] = []
 
@@ -225,10 +223,7 @@ class _Calculation(_Work):
         from radcalc.streams.calculated import Remarks
 
         super().__init__(layout, output)
-        self.case = case
-        self.source = source
-        self.task = task
-        self.wanted = wanted
+        self.case, self.source, self.task, self.wanted = case, source, task, wanted
         self.has_titles = bool(layout.lines) and not self.as_json
         self.target: Unit | None = None  # unit of the results, for their title
         self.remarks = Remarks()

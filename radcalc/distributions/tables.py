@@ -173,15 +173,11 @@ class _Reader:
             if values is not None and len(values) == table.width:
                 return values
         cells = table.cells(number, line)
-        row_values = []
         for k, cell in enumerate(cells):
-            value = columns.finite(cell, True)
-            if value is None:
+            if columns.finite(cell, True) is None:
                 what = "an intensity" if k else "an angle"
                 self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")
-            table.check_marks([cell], number, are_values=k > 0)
-            row_values.append(value)
-        return row_values
+        return [table.number(cell, number, is_value=k > 0) for k, cell in enumerate(cells)]
 
     def degrees(self, angles: Any, factor: float) -> Any:
         """Return the angles in degrees; a factor of 0 means that their unit is not declared."""

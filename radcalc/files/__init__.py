@@ -87,10 +87,7 @@ class Text:
         largest: float = MOST_BYTES,
         first: int = 1,
     ) -> None:
-        self.name = name
-        self.read = read
-        self.row = row
-        self.largest = largest
+        self.name, self.read, self.row, self.largest = name, read, row, largest
         self.first = first
         self.encoding = "utf-8-sig"
         self.note = ""

@@ -220,10 +220,7 @@ class Table:
         preamble: Sequence[NumberedLine] = (),
         names: Sequence[str] = (),
     ) -> None:
-        self.refuse = refuse
-        self.delimiter = delimiter
-        self.width = width
-        self.titles = titles
+        self.refuse, self.delimiter, self.width, self.titles = refuse, delimiter, width, titles
         self.names = names or titles
         self.preamble = preamble
         self.decimals = Decimals()

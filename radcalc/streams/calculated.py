@@ -60,12 +60,9 @@ class Calculated:
         mark: bytes = POINT,
     ) -> None:
         self.line = 0  # the current line
-        self.source = source
-        self.work_out = work_out
+        self.source, self.work_out = source, work_out
         self.wanted = tuple(wanted)
-        self.hear = hear
-        self.precision = precision
-        self.mark = mark
+        self.hear, self.precision, self.mark = hear, precision, mark
         self.each = "\t".join([f"%.{precision or DIGITS}g"] * len(self.wanted)).encode()
         self.form = self.each if mark == POINT else b""
         self.units: dict[bytes, Input] = {}  # the first of each unit
@@ -199,8 +196,7 @@ class Remark:
     """A remark on some of the lines so far."""
 
     def __init__(self, template: str, spans: list[Span], lines: Sequence[int]) -> None:
-        self.template = template
-        self.spans = spans
+        self.template, self.spans = template, spans
         self.first_lines = [*lines[: FEW_LINES + 1]]
         self.last_line = lines[-1]
         self.is_unbroken = _are_unbroken(lines)

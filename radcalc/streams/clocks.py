@@ -112,8 +112,7 @@ class Calendar:
 
         The title may have the offset of all stamps [ticks].
         """
-        self.zone = zone
-        self.pattern = pattern
+        self.zone, self.pattern = zone, pattern
         self.has_offsets = bool(first) and pattern.clock(pattern.parts(first)[1])[1] is not None
         self.is_of_days = bool(first) and not pattern.parts(first)[1].strip()
         self.of_title = 0 if self.has_offsets else of_title
@@ -187,10 +186,10 @@ class Calendar:
             raise NumberError(problem, _without_change(self.zone, local))
         if len(ticks) == 1:
             if self.doubtful:
-                raise Undecided(*_comes_twice(self.doubtful, self.zone, ticks[0]))
+                raise self.comes_twice(self.doubtful, ticks[0], Undecided)
             return ticks[0]
         if self.last is None:
-            raise NumberError(*_comes_twice(text, self.zone, local))
+            raise self.comes_twice(text, ticks[0])
         if ticks[0] > self.last:
             self.doubtful = text
             return ticks[0]
@@ -198,9 +197,14 @@ class Calendar:
         self.resolved = self.resolved or text
         return ticks[1]
 
-    def comes_twice(self, text: str, tick: int) -> NumberError:
+    def comes_twice(
+        self, text: str, tick: int, kind: type[NumberError] = NumberError
+    ) -> NumberError:
         assert self.zone is not None
-        return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
+        problem = f"'{quote(text)}' comes twice in {self.zone}, as clocks are put back, and the "
+        problem += "order of the log does not resolve it"
+        local = tick + _offset_at(self.zone, tick)
+        return kind(problem, f"times with offsets, or {_without_change(self.zone, local)}")
 
     @property
     def shown_in(self) -> tzinfo:
@@ -215,24 +219,17 @@ class Calendar:
     @property
     def assumptions(self) -> tuple[str, ...]:
         """The assumptions about format, zone and doubtful hours of the times that were read."""
-        assumptions = (self.pattern.assumption,) if self.pattern.assumption else ()
+        said = [self.pattern.assumption] if self.pattern.assumption else []
         if not self.has_offset:
-            zone = f"the times are in a zone without changes of daylight saving time ({ZONE})"
-            assumptions = (*assumptions, zone)
+            said.append(f"the times are in a zone without changes of daylight saving time ({ZONE})")
         elif self.by and not self.zone:
             zone = _format_offset(_offset_at(self.shown_in, 0))
-            assumptions = (*assumptions, f"the {self.by}s are those of the offset {zone} ({ZONE})")
+            said.append(f"the {self.by}s are those of the offset {zone} ({ZONE})")
         if self.resolved:
-            assumptions = (
-                *assumptions,
-                f"the hour that comes twice is resolved by the order ('{self.resolved}')",
-            )
+            said.append(f"the hour that comes twice is resolved by the order ('{self.resolved}')")
         if self.doubtful:
-            assumptions = (
-                *assumptions,
-                f"'{self.doubtful}', which comes twice, is taken as the first",
-            )
-        return assumptions
+            said.append(f"'{self.doubtful}', which comes twice, is taken as the first")
+        return tuple(said)
 
     def say(self, tick: float) -> str:
         seconds, fraction = divmod(int(tick), SECOND)
@@ -293,12 +290,8 @@ class Unix(Calendar):
     @property
     def assumptions(self) -> tuple[str, ...]:
         names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
-        assumption = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
-        return (
-            f"{assumption}; days and hours are those of UTC ({ZONE})"
-            if self.is_utc
-            else assumption,
-        )
+        of_utc = f"; days and hours are those of UTC ({ZONE})" if self.is_utc else ""
+        return (f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}{of_utc}",)
 
 
 Clock = Elapsed | Calendar
@@ -434,14 +427,6 @@ def _offset_at(zone: tzinfo, tick: int) -> int:
 def _tick(zone: tzinfo, local: datetime) -> int:
     naive = (local.toordinal() - FIRST_DAY) * DAY
     return naive - _offset(zone, naive, 0)
-
-
-def _comes_twice(text: str, zone: tzinfo, local: int) -> tuple[str, str]:
-    return (
-        f"'{quote(text)}' comes twice in {zone}, as clocks are put back, and the order "
-        "of the log does not resolve it",
-        f"times with offsets, or {_without_change(zone, local)}",
-    )
 
 
 def _without_change(zone: tzinfo, local: int) -> str:

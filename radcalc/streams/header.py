@@ -83,15 +83,10 @@ class Header:
         given: Collection[str] = (),
     ) -> None:
         """Take the source and the target, and the names of the inputs that link them."""
-        self.cut = cut
-        self.given = given
-        self.source = source
+        self.cut, self.given, self.source = cut, given, source
         self.target = target or resolve("1")
         self.is_known = target is not None
-        self.titled = titled
-        self.note = note
-        self.column = column
-        self.name = name
+        self.titled, self.note, self.column, self.name = titled, note, column, name
         self.adds = adds
         self.own = self._own() if target else None
         self.is_bare = is_bare

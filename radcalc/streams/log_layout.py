@@ -135,8 +135,7 @@ class FirstRows(Head):
     """The head of a log or another table with times: a date and a number, or only numbers."""
 
     def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
-        self.name = name
-        self.settings = settings
+        self.name, self.settings = name, settings
         names = (*settings.times, settings.column, *[name for name, _ in settings.where])
         wanted = [name for name in names if name and not name.isdecimal()]
         super().__init__(lines, settings.delimiter, wanted)
@@ -416,12 +415,9 @@ class LogHead(FirstRows):
         if unit is None:
             if (stated := read_title(title).unit) and stated.dimension == NUMBER:
                 self._refuse_unlike(title, resolve("lx"))  # RH (%) is none of any unit
-            raise errors.MissingInput(
-                f"{self.name}: the unit of the values is missing",
-                errors.mention(
-                    "{unit=lx}, {unit=umol/m2/s}, {unit=W/m2}, or a title such as E [lx]"
-                ),
-            )
+            hint = "{unit=lx}, {unit=umol/m2/s}, {unit=W/m2}, or a title such as E [lx]"
+            problem = f"{self.name}: the unit of the values is missing"
+            raise errors.MissingInput(problem, errors.mention(hint))
         if cell is not None:
             if declared and declared.dimension != (unit_of_meter(cell) or declared).dimension:
                 problem = f"{where} is in {quote(declared.text)}, its first value in {quote(cell)}"
@@ -449,16 +445,12 @@ class LogHead(FirstRows):
         is_ppfd = reading and (reading.kind, reading.geometry) == (PHOTON, (0, 1, 0))
         is_short = stated and stated.is_count and is_ppfd
         may_be_par = is_par and reading and reading.kind == RADIANT
+        typed, own = quote(unit.text), quote(declared.text)
         if declared.dimension != unit.dimension and not (may_be_par or is_short):
-            raise errors.UsageError(
-                f"{option('unit', quote(unit.text))} contradicts the unit "
-                f"{quote(declared.text)} of {where}",
-                "leave it out, or use another column",
-                [errors.leave_out("unit")],
-            )
-        self.assumptions.append(
-            f"the values are in {quote(unit.text)}, as given; {where} is in {quote(declared.text)}"
-        )
+            problem = f"{option('unit', typed)} contradicts the unit {own} of {where}"
+            hint = "leave it out, or use another column"
+            raise errors.UsageError(problem, hint, [errors.leave_out("unit")])
+        self.assumptions.append(f"the values are in {typed}, as given; {where} is in {own}")
 
     def _refuse_unlike(self, title: str, unit: Unit | None) -> None:
         """Raise for a title without a known unit of light that does not fit the typed unit."""

@@ -196,9 +196,7 @@ class Numbers:
 
     def __init__(self, plan: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
         self.line = 0
-        self.plan = plan
-        self.precision = precision
-        self.mark = mark
+        self.plan, self.precision, self.mark = plan, precision, mark
         self.bulk = Bulk(plan, precision or DIGITS)
         self.form = self.bulk.form if mark == POINT else b""
 
@@ -247,12 +245,8 @@ class Quantities:
         The target decides between two readings of an expression.
         """
         self.line = 0
-        self.plans = plans
-        self.unit_of = unit_of
-        self.unit = unit
-        self.precision = precision
-        self.mark = mark
-        self.target = target
+        self.plans, self.unit_of, self.unit, self.precision = plans, unit_of, unit, precision
+        self.mark, self.target = mark, target
         self.known: dict[str, Plan | RadcalcError] = {}
         self.bulks: dict[bytes, Bulk | None] = {}
 

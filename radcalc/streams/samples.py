@@ -71,9 +71,7 @@ class Log:
         say: Callable[[LineError], object],
     ) -> None:
         """Read the first lines; `say` reports skipped lines."""
-        self.name = name
-        self.settings = settings
-        self.say = say
+        self.name, self.settings, self.say = name, settings, say
         self.notes: list[str] = []
         self.is_good = True
         self.left_out, self.first_left_out = 0, ""

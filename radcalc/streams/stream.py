@@ -46,13 +46,9 @@ class Stream:
         With `adds` the result is a field after the others.  With a `record` every number becomes a
         separate line, without other output.
         """
-        self.texts = texts
-        self.cut = cut
+        self.texts, self.cut = texts, cut
         self.fields = fields or Fields()
-        self.lines = lines
-        self.header = header
-        self.record = record
-        self.adds = adds
+        self.lines, self.header, self.record, self.adds = lines, header, record, adds
         self.units: int | None = None  # the field with the unit of each line
         self.width = 0  # fields of every line; 0 for any number
         # A number may have a comma: without a header, the first good line sets the number.
@@ -158,14 +154,14 @@ class Stream:
 
     def _check_width(self, count: int) -> None:
         if self.width and count != self.width:
-            place = ", but the lines before have" if self.is_counted else ", but the header has"
+            place = "the lines before have" if self.is_counted else "the header has"
             hint = "as many fields in every line"
             if self.cut and self.cut.delimiter == b",":
                 hint += "; quotes around a field with a comma"
             elif self.cut and not self.cut.delimiter:
                 hint += f"; {option('delimiter', 'X')} if a field may have blanks"
-            fields = "1 field" if count == 1 else f"{count} fields"
-            raise NumberError(f"{fields}{place} {self.width}", hint)
+            problem = f"{count} field{'s' * (count != 1)}, but {place} {self.width}"
+            raise NumberError(problem, hint)
 
     def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
         """Yield the number of the field, and the place, of each text to convert.
