@@ -144,10 +144,8 @@ def is_quantity(value: Any) -> bool:
     own = getattr(value, "_REGISTRY", None) is light_registry()  # also a Measurement
     other = getattr(value, "magnitude", None) if own else value
     if hasattr(other, "magnitude"):
-        raise errors.UnitError(
-            f"'{quote(str(other))}' is a quantity of another registry",
-            "radcalc.Quantity(q.magnitude, str(q.units)), where q is that quantity",
-        )
+        hint = "radcalc.Quantity(q.magnitude, str(q.units)), where q is that quantity"
+        raise errors.UnitError(f"'{quote(str(other))}' is a quantity of another registry", hint)
     return own
 
 
@@ -387,9 +385,8 @@ def refuse_unlike_index(first: Any, second: Any) -> None:
     other: Any = getattr(second, "index", None)
     if hasattr(own, "equals") and hasattr(other, "equals") and not own.equals(other):
         problem = "the two series have other labels in their indices"
-        raise errors.ConditionError(
-            problem, ".to_numpy() of both, if their rows have the same order"
-        )
+        hint = ".to_numpy() of both, if their rows have the same order"
+        raise errors.ConditionError(problem, hint)
 
 
 def refuse_lazy(value: Any, what: str) -> None:
@@ -403,9 +400,8 @@ def refuse_arrays(inputs: Inputs, whole: str) -> None:
     """Refuse arrays where a single value holds for the whole."""
     for given in inputs.values():
         if is_array(given.value):
-            raise errors.ConditionError(
-                f"{option(given.name)} is an array", f"one value for {whole}"
-            )
+            problem = f"{option(given.name)} is an array"
+            raise errors.ConditionError(problem, f"one value for {whole}")
 
 
 def library_of(value: Any) -> str:
@@ -431,9 +427,8 @@ def table_of(source: Any) -> tuple[str, str]:
     arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
     if any(array.ndim != 1 or array.shape != arrays[0].shape for array in arrays):
         shapes = " and ".join(str(array.shape) for array in arrays)
-        raise errors.ConditionError(
-            f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
-        )
+        problem = f"the wavelengths and the values have the shapes {shapes}"
+        raise errors.ConditionError(problem, "arrays of one length")
     rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
     return name, "".join("\t".join(" ".join(str(c).split()) for c in row) + "\n" for row in rows)
 
@@ -487,9 +482,8 @@ def read_points(point: Any) -> Input:
     metres, unit = in_metres(point, "a point")
     array = numpy.asarray(metres)
     if array.shape[-1:] != (3,):
-        raise errors.ConditionError(
-            "a point has three coordinates", "an array of the shape (..., 3)"
-        )
+        problem = "a point has three coordinates"
+        raise errors.ConditionError(problem, "an array of the shape (..., 3)")
     if not (abs(array) <= LARGEST).all():
         raise errors.ConditionError(*TOO_FAR)
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
@@ -514,9 +508,8 @@ def broadcast(work_out: Callable[[], T]) -> T:
     except ValueError as error:
         if "broadcast" not in str(error):
             raise
-        raise errors.ConditionError(
-            "the arrays do not fit together", "arrays of one shape"
-        ) from None
+        problem = "the arrays do not fit together"
+        raise errors.ConditionError(problem, "arrays of one shape") from None
 
 
 def one_of(word: object, names: Sequence[str] | Mapping[str, Any], what: str) -> str:

@@ -300,10 +300,8 @@ def _rows(sources: Any) -> str | list[Any]:
     except TypeError:
         rows = []
     if not rows and type(sources) is not list:
-        raise ConditionError(
-            f"the sources are not rows, but of the type {type(sources).__name__}",
-            "the path of a CSV file, or a list with a dict for each",
-        )
+        problem = f"the sources are not rows, but of the type {type(sources).__name__}"
+        raise ConditionError(problem, "the path of a CSV file, or a list with a dict for each")
     return [
         {key: arguments.plain(value) for key, value in source.items()}
         if isinstance(source, dict)

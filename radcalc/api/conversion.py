@@ -137,9 +137,8 @@ def explain(value: Number, target: str, to: str | None = None, **conditions: Any
     conversion, magnitude, given = _plan(value, target, conditions)
     for condition in given:
         if is_column(condition.value):
-            raise ConditionError(
-                f"explain takes one value of {option(condition.name)}", "one of each"
-            )
+            problem = f"explain takes one value of {option(condition.name)}"
+            raise ConditionError(problem, "one of each")
     number = magnitude.typed[0] if isinstance(magnitude, ReadAmount) else magnitude
     number = float(getattr(number, "nominal_value", number))
     answer = answer_of(conversion, number, steps=True)
@@ -206,9 +205,8 @@ def factor(source: str, target: str, **conditions: Any) -> float:
     for condition in given:
         if is_column(condition.value):
             problem = f"a factor is one number, and {option(condition.name)} is an array"
-            raise ConditionError(
-                problem, "one value of each, or radcalc.convert, which takes arrays"
-            )
+            hint = "one value of each, or radcalc.convert, which takes arrays"
+            raise ConditionError(problem, hint)
     conversion = plan(start, target_of(target, start), given)
     if not conversion.is_linear:
         problem = f"{quote(source)} and {quote(target)} are linked by a function, not by a factor"

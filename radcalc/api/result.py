@@ -306,13 +306,9 @@ class Result(Mapping[str, Quantity]):
         later: Mapping[str, Callable[[], Any]] = NOTHING,
     ) -> None:
         """`later` are results that are calculated at the first access."""
-        self.command = command
-        self._show = show
+        self.command, self._show = command, show
         self._every = dict(every)
-        self._names = names
-        self._ask = ask
-        self._solved = solved
-        self._later = later
+        self._names, self._ask, self._solved, self._later = names, ask, solved, later
         self._own: tuple[str, ...] = ()  # notes on the user's definitions
 
     def __getitem__(self, name: str) -> Quantity:

@@ -19,16 +19,8 @@ from radcalc.answer import (
     format_value,
     letter_of,
 )
-from radcalc.calculators.dose_sums import (
-    MEANS,
-    MEANS_BEFORE,
-    MEANS_CENTRED,
-    POINTS,
-    WITHIN,
-    Dose,
-    Period,
-    SampleStep,
-)
+from radcalc.calculators import dose_sums
+from radcalc.calculators.dose_sums import MEANS, MEANS_BEFORE, MEANS_CENTRED, POINTS, Dose, Period
 from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
@@ -249,7 +241,7 @@ class SummedLog(NamedTuple):
             which = f"a step of {longest}"
             if count > 1:
                 which = f"{count} long steps; the longest, {longest}"
-            cut = option("max-gap", _duration_text(WITHIN * usual))
+            cut = option("max-gap", _duration_text(dose_sums.WITHIN * usual))
             them = "it" if count == 1 else "them"
             return f"{which}; the usual step has {_duration(usual)} ({cut} would leave {them} out)"
         others = dose.count - dose.gaps - 2
@@ -267,7 +259,7 @@ class SummedLog(NamedTuple):
             f"({between} would leave it out)"
         )
 
-    def _describe(self, step: SampleStep) -> str:
+    def _describe(self, step: dose_sums.SampleStep) -> str:
         length = _duration(self.seconds(step.length))
         return f"{length}, from {self.say(step.start)} to {self.say(step.end)}"
 

@@ -8,22 +8,10 @@ from typing import Any, NamedTuple
 
 from radcalc import errors, geometry
 from radcalc.answer import coherent_unit_of, format_value
-from radcalc.calculators import kinds
+from radcalc.calculators import kinds, scene_rows
 from radcalc.calculators.point_laws import SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
-from radcalc.calculators.scene_rows import (
-    AIM,
-    COLUMNS,
-    DIRECTION,
-    PLACE,
-    SIZE,
-    STRENGTH,
-    SURFACE,
-    TEXTS,
-    Row,
-    is_bare,
-    typed,
-)
+from radcalc.calculators.scene_rows import AIM, DIRECTION, PLACE, Row, is_bare, typed
 from radcalc.distributions.distribution import DOWN, Distribution, Photometry, Pose
 from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.sources import PATH, Cone, Isotropic, Lobe, photometry
@@ -42,7 +30,7 @@ from radcalc.units.table import resolve
 
 LAMBERTIAN = "lambertian"
 SHAPES = (ISOTROPIC, CONICAL, LOBED, LAMBERTIAN)
-TAKES = {**SHAPED, LAMBERTIAN: (*SIZE, *SURFACE)}
+TAKES = {**SHAPED, LAMBERTIAN: (*scene_rows.SIZE, *scene_rows.SURFACE)}
 NO_NAME = re.compile(r"[^\w.+-]+")  # characters that names of results do not have
 
 
@@ -82,12 +70,14 @@ class Reader:
 
     def source(self, name: str, row: Row) -> NamedSource:
         """Return the source of a row: an emitter with a distribution, or a Lambertian patch."""
-        given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
+        given = {c: self.read(row, c) for c in row.cells if c not in scene_rows.TEXTS}
         place = self.point(row, given, PLACE)
         shape, photometry = self.shape(row, given)
         pose = self.pose(row, given, place, shape != ISOTROPIC)
         strengths = [
-            item for item in given.values() if item.symbol.generic in (*STRENGTH, *SURFACE)
+            item
+            for item in given.values()
+            if item.symbol.generic in (*scene_rows.STRENGTH, *scene_rows.SURFACE)
         ]
         if len(strengths) > 1:
             raise row.both(*(item.name for item in strengths[:2]))
@@ -102,7 +92,7 @@ class Reader:
 
     def read(self, row: Row, column: str) -> Input:
         """Read a cell as an input; take a position without a unit in metres."""
-        symbol, value = COLUMNS[column], row.cells[column]
+        symbol, value = scene_rows.COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
             problem = f"a {type(number).__name__} is not a value"
@@ -222,7 +212,7 @@ class Reader:
         return float(solution.values[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
-        useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))
+        useful = (*PLACE, *AIM, *DIRECTION, "rotate", *scene_rows.STRENGTH, *TAKES.get(shape, ()))
         idle = [n for n, item in given.items() if {n, item.symbol.generic}.isdisjoint(useful)]
         if idle:
             what = shape or "a file or an expression"

@@ -5,7 +5,7 @@ from functools import partial
 from importlib import import_module
 from typing import Any, TypeVar
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.answer import Answer, ShownInput, texts_of
 from radcalc.calculators import page_of
 from radcalc.calculators.page import words_of
@@ -25,20 +25,7 @@ from radcalc.cli.request import (
     several,
 )
 from radcalc.cli.spelling import Shell, own_module
-from radcalc.errors import (
-    Hint,
-    RadcalcError,
-    Try,
-    UsageError,
-    add,
-    call,
-    command,
-    leave_out,
-    mentioned,
-    option,
-    quote,
-    spell,
-)
+from radcalc.errors import UsageError, call, leave_out, option, quote
 from radcalc.inputs import Inputs, shown_inputs
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
@@ -67,7 +54,7 @@ def calculate(
         return run(all_cases, module.task(words, request.wants), request, output)
     if page.operand and not words:
         example, _ = words_of(page.examples[0])
-        raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
+        raise UsageError(f"a {page.operand.name} is missing", errors.command(name, *example))
     if page.operand:
         all_cases = at_points(all_cases, page.operand.name, words)
     function = request.narrowed(getattr(module, name.replace("-", "_")), page)
@@ -133,21 +120,21 @@ def _in_parts(
         return [part for case in cases for part in _blocks(case)]
     count = sum(case.size for case in cases)
     if count > MOST:
-        in_columns = Try((("format", CSV),), ("json",))
+        in_columns = errors.Try((("format", CSV),), ("json",))
         hint = in_columns if request.wanted else _first_result(cases[0], task)
         raise UsageError(f"a table of {count} answers is too long", hint)
     return cases
 
 
-def _first_result(case: Case, task: Task) -> Hint:
+def _first_result(case: Case, task: Task) -> errors.Hint:
     """Propose the first result, as a column of numbers."""
     try:
         values = task.solve(_part(case, slice(2)).given).values
-    except RadcalcError:  # an error of these values
+    except errors.RadcalcError:  # an error of these values
         return "-g NAME:UNIT, for columns"
     results = [row for row in rows(values) if not row.given]
     found = next((row for row in results if is_array(row.value)), results[0])
-    return add("get", f"{found.name}:{found.unit}", "a column of numbers")
+    return errors.add("get", f"{found.name}:{found.unit}", "a column of numbers")
 
 
 def _lines_for(given: Inputs) -> str:
@@ -163,21 +150,16 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
     assert case.stream is not None
     stream_option = option(case.stream.name, "-")
     if request.lines is None:
-        raise UsageError(
-            f"{stream_option}: {task.command} does not read lines of standard input",
-            "one value a call",
-        )
+        problem = f"{stream_option}: {task.command} does not read lines of standard input"
+        raise UsageError(problem, "one value a call")
     refuse_stream(request.check)
     if request.steps:
         raise UsageError("--steps cannot be used with a stream", leave_out("steps"))
     if request.plot:
         raise UsageError("--plot cannot be used with a stream", leave_out("plot"))
     if len(cases) > 1 or case.long:
-        raise UsageError(
-            f"{stream_option} cannot be used with a list",
-            "one value of everything else",
-            [first_of(case.varied)],
-        )
+        problem = f"{stream_option} cannot be used with a list"
+        raise UsageError(problem, "one value of everything else", [first_of(case.varied)])
     from radcalc.cli import streams
 
     return streams.calculate(case, task, request.wanted, request.lines, output)
@@ -220,18 +202,18 @@ def _as_operand(read: Callable[[], T]) -> T:
     """Read the operand; an error shows the wavelength as typed, since it is not an option here."""
     try:
         return read()
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         calls = [
-            Try(
+            errors.Try(
                 words=("photon", value),
-                remark="" if mentioned(proposal.remark) else proposal.remark,
+                remark="" if errors.mentioned(proposal.remark) else proposal.remark,
                 follow=proposal.follow,
             )
             for proposal in error.tries
             for _, value in proposal.inputs
         ]
-        hint = calls or spell(error.hint, Command)
-        raise error.reworded(spell(error.message, Operand), hint) from None
+        hint = calls or errors.spell(error.hint, Command)
+        raise error.reworded(errors.spell(error.message, Operand), hint) from None
 
 
 def _named(case: Case) -> Case:

@@ -164,8 +164,7 @@ class SectionedCommand(Helped):
         self, *args: Any, sections: dict[str, Sequence[click.Option]], page: Page, **kwargs: Any
     ) -> None:
         super().__init__(*args, **kwargs)
-        self.sections = sections
-        self.page = page
+        self.sections, self.page = sections, page
 
     @property
     def help(self) -> str:

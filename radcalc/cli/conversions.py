@@ -206,9 +206,8 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     """Return the value in every unit of its quantity."""
     source = call.source
     if typed:
-        raise errors.UsageError(
-            f"--{next(iter(typed))} needs a unit to convert to", errors.leave_out(*typed)
-        )
+        problem = f"--{next(iter(typed))} needs a unit to convert to"
+        raise errors.UsageError(problem, errors.leave_out(*typed))
     if is_bare:
         raise errors.UsageError("-n needs a unit to convert to", errors.leave_out("number"))
     from radcalc.calculators import uncertainty
@@ -222,10 +221,8 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     ]
     targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
-        raise errors.UsageError(
-            f"'{quote(source.text)}' is not a unit of a quantity known to radcalc",
-            "a TARGET unit",
-        )
+        problem = f"'{quote(source.text)}' is not a unit of a quantity known to radcalc"
+        raise errors.UsageError(problem, "a TARGET unit")
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()
     for target in targets:

@@ -23,7 +23,7 @@ from radcalc.inputs import refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
-from radcalc.routes import NAMES, ColumnSummary, Contents, contents_of, listing
+from radcalc.routes import NAMES, ColumnSummary, Contents, Listing, contents_of
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
@@ -175,7 +175,7 @@ def columns_command(words: tuple[str, ...], output: Output) -> None:
     if found.rows is None:
         problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
         raise ConditionError(problem, proposed(found.kind, path))
-    listed = listing(path, found.rows)
+    listed = Listing(path, found.rows)
     rows = [_row(path, found, column, listed.rows, output.format) for column in listed.columns]
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)

@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 
 import click
 
+from radcalc import errors
 from radcalc.answer import texts_of
 from radcalc.calculators import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.calculators.page import RESULT
@@ -20,14 +21,7 @@ from radcalc.cli.lane import hear
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.completion import table
-from radcalc.errors import (
-    RadcalcError,
-    UnknownResult,
-    UsageError,
-    call,
-    nearest,
-    quote,
-)
+from radcalc.errors import RadcalcError, UsageError, call, nearest
 from radcalc.quantities import lookup, search
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
@@ -204,7 +198,7 @@ def _examples(command: str) -> list[tuple[list[str], Sequence[str]]]:
             call = [word for word, before in pairs if "-g" not in (word, before)]
             try:
                 hear([*call, "-g", "?"])
-            except UnknownResult as error:
+            except errors.UnknownResult as error:
                 answered.append((call, (*error.names, *page_of(command).on_request)))
             except (RadcalcError, click.ClickException):
                 continue
@@ -333,9 +327,8 @@ def command(words: tuple[str, ...], output: Output) -> None:
             raise UsageError(f"{subject} is not covered", call(nearest_command, "--help"))
     if not found:
         similar = [call("help", *name.split()) for name in near(text, 3)]
-        raise UsageError(
-            f"nothing has the words '{quote(text)}'", similar or [call("--help"), call("examples")]
-        )
+        problem = f"nothing has the words '{errors.quote(text)}'"
+        raise UsageError(problem, similar or [call("--help"), call("examples")])
     shown = _best(found, text)
     rows = [
         {"kind": one.kind, "name": one.name, "what": one.what, "command": pasted(one.call)}

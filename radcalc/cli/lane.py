@@ -5,20 +5,11 @@ A sentence has no options.  Whatever else is typed is left to Click.
 
 from contextlib import suppress
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.calculators import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.output import Output, decide
 from radcalc.cli.request import Request
-from radcalc.errors import (
-    ExpressionError,
-    OutputError,
-    RadcalcError,
-    SeveralReadings,
-    TooManyWords,
-    UsageError,
-    input_of,
-    is_wordy,
-)
+from radcalc.errors import RadcalcError, UsageError, input_of, is_wordy
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.terminal import FORMATS
 from radcalc.tuples import NamedTuple
@@ -94,7 +85,7 @@ def answer_in_full(words: "Sequence[str]") -> int | BaseException | None:
         if work_out(name, call.operands, call.given, call.wanted, output):
             return terminal.ANSWERED
         return None
-    except OutputError as error:  # a full disk
+    except errors.OutputError as error:  # a full disk
         return terminal.complain(error)
     except Exception:  # an error or a bug, which the boundary reports
         return None
@@ -211,9 +202,9 @@ def _is_refused(words: Words) -> bool:
     (operands,), *others = read_lists(words)
     try:
         return not (others or read_operands(operands))
-    except ExpressionError:
+    except errors.ExpressionError:
         return are_uncertain(words)
-    except SeveralReadings:
+    except errors.SeveralReadings:
         return False
     except RadcalcError:
         return True
@@ -222,7 +213,7 @@ def _is_refused(words: Words) -> bool:
 def is_other(call: "Sequence[str]", asked: "Sequence[str]", error: object = None) -> bool:
     """Return whether the call of a sentence is another one than the words that were typed."""
     has_more = "unexpected argument" in getattr(error, "message", "")
-    is_same = plain(call) == plain(asked) and not isinstance(error, TooManyWords)
+    is_same = plain(call) == plain(asked) and not isinstance(error, errors.TooManyWords)
     return not is_same and (asked[0] != call[0] or has_more)
 
 

@@ -191,9 +191,8 @@ def decide(
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number cannot be used with another format than plain", "-n alone")
     if number and auto:
-        raise UsageError(
-            "--number cannot be used with --auto: it prints no unit", leave_out("auto")
-        )
+        problem = "--number cannot be used with --auto: it prints no unit"
+        raise UsageError(problem, leave_out("auto"))
     asked = JSON if json_ else PLAIN if number else format_
     is_terminal = terminal.is_terminal()
     chosen = asked or (TABLE if is_terminal else PLAIN)

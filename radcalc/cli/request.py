@@ -31,9 +31,8 @@ if TYPE_CHECKING:
 def refuse_idle(check: str | None, tolerance: str | None) -> None:
     """Refuse --tolerance without --check."""
     if tolerance is not None and check is None:
-        raise errors.UsageError(
-            "--tolerance does not apply without --check", errors.leave_out("tolerance")
-        )
+        problem = "--tolerance does not apply without --check"
+        raise errors.UsageError(problem, errors.leave_out("tolerance"))
 
 
 def several(
@@ -117,9 +116,8 @@ def refuse_lines(options: LineOptions, hint: errors.Hint) -> None:
 def refuse_second_reader(typed: dict[str, Any]) -> None:
     """Refuse a spectrum from standard input, which has the numbers."""
     if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
-        raise errors.UsageError(
-            "- cannot be used twice: there is one standard input", add("spectrum")
-        )
+        problem = "- cannot be used twice: there is one standard input"
+        raise errors.UsageError(problem, add("spectrum"))
 
 
 def refuse_condition(case: "Case") -> None:

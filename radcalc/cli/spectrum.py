@@ -43,9 +43,8 @@ def command(
     """Answer for each source, or list the named ones."""
     if list_:
         if typed or column or unit or request != Request((), False, None, None):
-            raise UsageError(
-                "--list takes no options, only words to search for", call("spectrum", list="")
-            )
+            problem = "--list takes no options, only words to search for"
+            raise UsageError(problem, call("spectrum", list=""))
         _show_list(" ".join(words), output)
         return terminal.ANSWERED
     if not words:

@@ -10,22 +10,9 @@ import stat
 from contextlib import suppress
 from itertools import pairwise, takewhile
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.calculators import COMMANDS, SUBJECTS
-from radcalc.errors import (
-    MINUS,
-    RadcalcError,
-    Try,
-    UsageError,
-    call,
-    correct,
-    corrections,
-    input_of,
-    nearest,
-    quote,
-    quote_path,
-    spell,
-)
+from radcalc.errors import MINUS, RadcalcError, UsageError, call, nearest, quote
 from radcalc.units import Unit
 from radcalc.units.grammar import ALSO_UNITS, TO
 from radcalc.units.numbers import is_sentence
@@ -94,7 +81,7 @@ class Shell:
     def command(*words: str) -> str:
         """Return `radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
         typed = []
-        for name, text in map(input_of, words):
+        for name, text in map(errors.input_of, words):
             quoted = f"'{text}'" if NEED_QUOTES.intersection(text) else text
             typed.append(Shell.option(name, text) if name else quoted)
         return " ".join(["radcalc", *typed])
@@ -149,12 +136,12 @@ def quoted(word: str) -> str:
 
 def spelled(text: str) -> str:
     """Return a text with its mentions spelled as at a shell."""
-    return spell(text, Shell)
+    return errors.spell(text, Shell)
 
 
 def typed(words: "Sequence[str]") -> "Iterator[str]":
     """Yield the words of a mention as they are typed: NAME=VALUE is an option."""
-    for name, value in map(input_of, words):
+    for name, value in map(errors.input_of, words):
         if not name:
             yield value
             continue
@@ -269,11 +256,11 @@ def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
         return None
     if kind in (expected, TABLE):
         return None
-    message = f"{quote_path(path)} is {NAMES[kind]}, not {NAMES[expected]}"
+    message = f"{errors.quote_path(path)} is {NAMES[kind]}, not {NAMES[expected]}"
     return RadcalcError(message, proposed(kind, path))
 
 
-def proposed(kind: str, path: str) -> Try:
+def proposed(kind: str, path: str) -> errors.Try:
     """Propose the command for a file of a kind."""
     from radcalc.routes import call_of_file
 
@@ -284,14 +271,14 @@ def similar_calls(args: list[str]) -> "Hint":
     """Return the hint for a word that is not a command."""
     word = args[0].lower()
     if near := nearest(word, COMMANDS, 1, 0.75):
-        return correct(args[0], near[0])
+        return errors.correct(args[0], near[0])
     from radcalc.calculators.solid_angle import NAMES
 
     if word in NAMES:
-        return correct(args[0], "solid-angle", word)
+        return errors.correct(args[0], "solid-angle", word)
     names = [name for name, synonyms in SUBJECTS.items() if word in synonyms.split()]
     if names:
-        tries = corrections(args[0], *names[:2])
+        tries = errors.corrections(args[0], *names[:2])
         return tries if args[1:] else [call(names[0], "--help")]
     whole = " ".join(args)
     return looked_up(args[0]) or looked_up(whole) or typical_of(whole) or "radcalc --help"
@@ -313,18 +300,18 @@ def absent_file(args: list[str]) -> UsageError | None:
     with suppress(OSError):
         near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
     paths = [os.path.join(folder, one) for one in near]
-    hint = corrections(absent[0], *paths) or "the path of a file"
+    hint = errors.corrections(absent[0], *paths) or "the path of a file"
     return UsageError(f"there is no file '{quote(absent[0])}'", hint)
 
 
-def typical_of(text: str) -> Try | None:
+def typical_of(text: str) -> errors.Try | None:
     """Return the call that lists typical values of a thing; None if there are none."""
     from radcalc.quantities.lookup import is_seen
 
     return call("typical", *text.split()) if is_seen(text) else None
 
 
-def looked_up(word: str) -> Try | None:
+def looked_up(word: str) -> errors.Try | None:
     """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
     from radcalc.quantities.search import is_name
     from radcalc.spectra.sources import is_named

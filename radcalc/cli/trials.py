@@ -371,9 +371,8 @@ def refuse_effects(words: Words) -> None:
     """
     command = called_in(words)
     if command and command not in SUMMARIES:
-        raise errors.UsageError(
-            f"radcalc {command} has no answer to check", "a calculator or a conversion"
-        )
+        problem = f"radcalc {command} has no answer to check"
+        raise errors.UsageError(problem, "a calculator or a conversion")
     for word in words:
         name = word.partition("=")[0]
         is_joined = word[:1] == "-" != word[1:2] and len(word) > 2
@@ -383,9 +382,8 @@ def refuse_effects(words: Words) -> None:
             problem = f"{quote(word)} cannot be used in a question"
             raise errors.UsageError(problem, errors.drop(word) if len(words) > 1 else "a command")
         if reads_stdin([word]) or _is_special(word):
-            raise errors.UsageError(
-                f"{quote(word)} is not a value or a regular file", "a value or a file's name"
-            )
+            problem = f"{quote(word)} is not a value or a regular file"
+            raise errors.UsageError(problem, "a value or a file's name")
 
 
 def _is_special(word: str) -> bool:

@@ -654,9 +654,8 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
     planes, values = numpy.array(planes, float), numpy.array(values, float)
     span = planes[-1] - planes[0]
     if not any(math.isclose(span, allowed, abs_tol=SLACK) for allowed in (CIRCLE / 4, CIRCLE / 2)):
-        raise ConditionError(
-            f"symmetric planes span {span:g} deg", "90 or 180 deg, from one symmetry to the next"
-        )
+        problem = f"symmetric planes span {span:g} deg"
+        raise ConditionError(problem, "90 or 180 deg, from one symmetry to the next")
     planes[-1] = planes[0] + round(span)
     while planes[-1] - planes[0] < CIRCLE - 1:
         planes = numpy.concatenate([planes, 2 * planes[-1] - planes[-2::-1]])

@@ -8,29 +8,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 import numpy
 
 from radcalc import errors
+from radcalc.distributions import sources
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, integrated
-from radcalc.distributions.sources import (
-    ACCURACY,
-    OF_AXIAL,
-    Formula,
-    formula_with_unit,
-    is_unknown_word,
-    path_pattern,
-    unseen,
-)
+from radcalc.distributions.sources import Formula
 from radcalc.errors import ConditionError, MissingInput, Unused, mention, quote
 from radcalc.geometry import models, projections
 from radcalc.geometry import models as geometry
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.projections import (
-    FORWARD,
-    Vector,
-    View,
-    field_text,
-    has_shape,
-    name_of_map,
-    view_of_field,
-)
+from radcalc.geometry.projections import Vector, View
 from radcalc.maths import Number
 from radcalc.quantities import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities import read as read_light
@@ -114,7 +99,7 @@ class FormulaRadiances:
             return self._in_own_angles(forward, self.formula.is_axial and is_level)
         # about the normal the integrand is smooth: the receiver's horizon does not cross it
         turned = _ReceivedAboutNormal(self.formula, (projections.times(up, -1.0), left, forward))
-        return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
+        return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, sources.ACCURACY)
 
     def _in_own_angles(self, normal: projections.Vector, is_axial: bool) -> Integral:
         """Integrate in theta and phi, for which the steps of the expression are known."""
@@ -122,7 +107,7 @@ class FormulaRadiances:
         if is_axial:
             polar = (0.0, math.pi / 2) if normal[2] > 0 else (math.pi / 2, math.pi)
         steps = self.formula.steps(polar, ALL_AZIMUTHS)
-        accuracy = OF_AXIAL if is_axial else ACCURACY
+        accuracy = sources.OF_AXIAL if is_axial else sources.ACCURACY
         received = _Received(self.formula, normal, is_axial)
         return integrated(received, polar, ALL_AZIMUTHS, accuracy, steps)
 
@@ -223,7 +208,7 @@ class Sky:
 
 
 EXAMPLE = "a map (.hdr, .exr, .pfm), sky:overcast, or 'max(cos(theta), 0) cd/m2'"
-MAP = path_pattern("hdr|pic|rgbe|exr|pfm")
+MAP = sources.path_pattern("hdr|pic|rgbe|exr|pfm")
 # Radiance's three channels are in watts.  color.h has the share of each in the brightness, and the
 # luminous efficacy of "uniform white light" over the visible spectrum.
 RADIANCE = "Radiance, src/common/color.h"
@@ -263,7 +248,7 @@ def expression(text: str) -> Environment:
     >>> round(expression("3000 cd/m2").radiances.mean(), 6)
     3000.0
     """
-    if is_unknown_word(text):
+    if sources.is_unknown_word(text):
         skies = (
             errors.nearest(text.lower(), models.NAMES, 1)
             or models.MEANT.get(text.lower(), "").split()
@@ -272,9 +257,11 @@ def expression(text: str) -> Environment:
         raise errors.ConditionError(
             problem, EXAMPLE, [errors.correct(text, f"sky:{name}") for name in skies]
         )
-    formula = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
+    formula = sources.formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
     assumption = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
-    return Environment(FormulaRadiances(formula), assumptions=(assumption, *unseen(formula)))
+    return Environment(
+        FormulaRadiances(formula), assumptions=(assumption, *sources.unseen(formula))
+    )
 
 
 def of_picture(
@@ -307,7 +294,7 @@ def of_picture(
     pixels = RadianceMap(
         picture.pixels,
         map_projection,
-        aim or picture.aim or FORWARD,
+        aim or picture.aim or projections.FORWARD,
         sums.weights,
         factor,
         kind,
@@ -317,9 +304,9 @@ def of_picture(
         picture.grain,
     )
     width, height = pixels.size
-    assumptions = [f"{name_of_map(map_projection)} of {width} x {height} pixels"]
+    assumptions = [f"{projections.name_of_map(map_projection)} of {width} x {height} pixels"]
     if field:
-        assumptions[0] += f", {field_text(field)} wide"
+        assumptions[0] += f", {projections.field_text(field)} wide"
     if picture.aim and not aim:
         at = "{:g},{:g},{:g}".format(*picture.aim)
         assumptions[0] += errors.mention(f", with {at} at the centre by its file ({{aim}})")
@@ -389,10 +376,8 @@ def picture_of(pixels: Any) -> "Picture":
     if len(shape) == 2:
         pixels = pixels[:, :, None]
     elif len(shape) != 3 or shape[2] not in (1, 3):
-        raise errors.ConditionError(
-            f"pixels of the shape {quote(str(shape))} are not a map",
-            "an array of the shape (height, width) or (height, width, 3)",
-        )
+        hint = "an array of the shape (height, width) or (height, width, 3)"
+        raise errors.ConditionError(f"pixels of the shape {quote(str(shape))} are not a map", hint)
     if len(shape) == 3 and shape[2] == 3:
         return Picture(pixels, RGB, REC_709, "array")
     return Picture(pixels, Y, (1.0,), "array")
@@ -410,7 +395,7 @@ def _file_statements(
     if declared and not field and (not projection or (is_agreed and picture.view)):
         used.append(declared)
     elif declared and (field or not is_agreed):
-        wide = f", {field_text(field)} wide" if field else ""
+        wide = f", {projections.field_text(field)} wide" if field else ""
         overruled.append(f"{declared}; it is read as {projection or picture.projection}{wide}")
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and not unit:
@@ -452,9 +437,8 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
         )
     if unit.dimension == NUMBER:
         if unit.factor != 1:
-            raise errors.ConditionError(
-                f"{_unit_option(unit)} is not a unit", errors.mention("{unit=1}")
-            )
+            problem = f"{_unit_option(unit)} is not a unit"
+            raise errors.ConditionError(problem, errors.mention("{unit=1}"))
         return 1.0, ""
     if unit.dimension not in RADIANCES:
         problem = f"{_unit_option(unit)}: a map has radiances, but that is {describe(unit)}"
@@ -514,10 +498,8 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         primaries = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
         assumption = f"the radiance is {sums}, {primaries}"
         return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
-    raise errors.MissingInput(
-        f"{', '.join(names)} have no sum that is a radiance in this unit",
-        errors.option("unit", "cd/m2"),
-    )
+    problem = f"{', '.join(names)} have no sum that is a radiance in this unit"
+    raise errors.MissingInput(problem, errors.option("unit", "cd/m2"))
 
 
 def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
@@ -533,21 +515,18 @@ def view_of(picture: "Picture", projection: str, field: float | None) -> View | 
     """
     if projection in WHOLE_SPHERE:
         if field:
-            raise errors.Unused(
-                ["field"],
-                f"to {name_of_map(projection)}, which shows the whole sphere",
-                errors.option("projection", FISHEYE),
-            )
+            problem = f"to {projections.name_of_map(projection)}, which shows the whole sphere"
+            raise errors.Unused(["field"], problem, errors.option("projection", FISHEYE))
         return None
     if field:
         height, width = picture.pixels.shape[:2]
-        return view_of_field(projection, field, *(picture.frame or (0, 0, width, height))[2:])
+        return projections.view_of_field(
+            projection, field, *(picture.frame or (0, 0, width, height))[2:]
+        )
     if picture.view and picture.projection == projection:
         return picture.view
-    raise errors.MissingInput(
-        f"the field of view of the {projection} picture is missing",
-        errors.option("field", "180deg"),
-    )
+    problem = f"the field of view of the {projection} picture is missing"
+    raise errors.MissingInput(problem, errors.option("field", "180deg"))
 
 
 def projection_of(picture: "Picture", given: str) -> str:
@@ -567,7 +546,7 @@ def projection_of(picture: "Picture", given: str) -> str:
         )
     if given or picture.projection:
         return given or picture.projection
-    if has_shape(LATLONG, width, height):
+    if projections.has_shape(LATLONG, width, height):
         return LATLONG
     round_ones = [name for name in WHOLE_SPHERE if name != LATLONG]
     if width != height:

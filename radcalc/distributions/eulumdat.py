@@ -34,15 +34,8 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.distributions.distribution import (
-    CLOSEST,
-    Grid,
-    Photometry,
-    closed,
-    end_of,
-    mirrored,
-    without_noise,
-)
+from radcalc.distributions import distribution
+from radcalc.distributions.distribution import Grid, Photometry
 from radcalc.errors import ConditionError, quote
 from radcalc.files import refusal
 from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
@@ -120,11 +113,9 @@ class _Reader:
         if value is None or not low <= value <= high:
             bounds = f" from {low:g} to {high:g}" if high < math.inf else f" of {low:g} or more"
             within = bounds if low > -math.inf else ""
-            self.refuse(
-                self.at,
-                f"'{quote(text)}' is not a valid {what}: it must be a number{within}",
-                "the original file; a line above may be missing or duplicated",
-            )
+            problem = f"'{quote(text)}' is not a valid {what}: it must be a number{within}"
+            hint = "the original file; a line above may be missing or duplicated"
+            self.refuse(self.at, problem, hint)
         if problem := self.decimals.conflict(text, self.at):
             self.refuse(self.at, problem, MARKS)
         return value
@@ -139,11 +130,8 @@ class _Reader:
     def whole(self, what: str, low: int, high: int = MOST) -> int:
         value = self.number(what, low, high)
         if value != int(value):
-            self.refuse(
-                self.at,
-                f"{value:g} is not a valid {what}: it must be a whole number",
-                "1, 2, 3 ...",
-            )
+            problem = f"{value:g} is not a valid {what}: it must be a whole number"
+            self.refuse(self.at, problem, "1, 2, 3 ...")
         return int(value)
 
     def photometry(self) -> Photometry:
@@ -194,7 +182,7 @@ class _Reader:
             f"EULUMDAT, Isym {symmetry}",
             quote(luminaire),
             {symbol: value for symbol, value in declared.items() if value > 0},
-            (*self.assumptions, *end_of(polar)),
+            (*self.assumptions, *distribution.end_of(polar)),
             tuple(self.notes),
             max(size, 0.0) / 1000,
         )
@@ -210,21 +198,15 @@ class _Reader:
     def check_end(self) -> None:
         for number, line in enumerate(self.lines[self.at :], self.at + 1):
             if line.strip():
-                self.refuse(
-                    number,
-                    f"'{quote(line.strip())}' follows the last intensity",
-                    "a file that ends there; a line may be duplicated, or Mc or Ng too small",
-                )
+                hint = "a file that ends there; a line may be duplicated, or Mc or Ng too small"
+                self.refuse(number, f"'{quote(line.strip())}' follows the last intensity", hint)
 
     def check_planes(self, symmetry: int, planes: int) -> None:
         """Raise an error for the line of Mc if the number of planes does not fit the symmetry."""
         part = {2: 2, 3: 4, 4: 4}.get(symmetry, 1)
         if planes % part:
-            self.refuse(
-                4,
-                f"Mc is {planes}, which does not fit the symmetry (Isym {symmetry})",
-                f"a multiple of {part}",
-            )
+            problem = f"Mc is {planes}, which does not fit the symmetry (Isym {symmetry})"
+            self.refuse(4, problem, f"a multiple of {part}")
 
     def lamps(self, declared: dict[str, float]) -> float:
         """Return the flux of the first lamp set [lm], and add what it declares."""
@@ -266,12 +248,9 @@ class _Reader:
         angles: list[float] = []
         for k in range(count):
             angle = self.number(f"angle {what} {k + 1} of {count}", 0, highest)
-            if angles and angle - angles[-1] < CLOSEST:
-                self.refuse(
-                    self.at,
-                    f"the {what} angles do not rise: {angle:g} deg after {angles[-1]:g} deg",
-                    f"{count} rising angles",
-                )
+            if angles and angle - angles[-1] < distribution.CLOSEST:
+                problem = f"the {what} angles do not rise: {angle:g} deg after {angles[-1]:g} deg"
+                self.refuse(self.at, problem, f"{count} rising angles")
             if angles and step and abs(angle - angles[-1] - step) > STEP:
                 self.refuse(
                     self.at,
@@ -297,7 +276,7 @@ class _Reader:
                 for plane in range(planes)
                 for k in range(angles)
             ]
-        table, notes = without_noise(
+        table, notes = distribution.without_noise(
             numpy.array(values),
             lambda place, problem, hint: self.refuse(start + place + 1, problem, hint),
         )
@@ -313,7 +292,7 @@ class _Reader:
             return numpy.zeros(1), values
         if symmetry == 0:
             try:
-                return closed(azimuths, values)
+                return distribution.closed(azimuths, values)
             except ConditionError as error:
                 self.refuse(start + len(azimuths), error.message, error.hint)
         quarter, half = len(azimuths) // 4, len(azimuths) // 2
@@ -323,24 +302,22 @@ class _Reader:
             4: ((0, 0), (quarter, 90)),
         }[symmetry]:
             if azimuths[k] != angle:
-                self.refuse(
-                    start + k + 1,
+                problem = (
                     f"the plane C{azimuths[k]:g} is listed where the symmetry (Isym {symmetry}) "
-                    f"requires C{angle}",
-                    "as many planes on each of its sides",
+                    f"requires C{angle}"
                 )
+                self.refuse(start + k + 1, problem, "as many planes on each of its sides")
         kept = {2: azimuths[: half + 1], 4: azimuths[: quarter + 1]}.get(
             symmetry, numpy.append(azimuths[3 * quarter :] - 360, azimuths[: quarter + 1])
         )
-        around, values = mirrored(kept, values)
+        around, values = distribution.mirrored(kept, values)
         images = numpy.sort(around[:-1] % 360)
         for k, (listed, image) in enumerate(zip(azimuths, images, strict=True)):
             if abs(listed - image) > STEP:
-                self.refuse(
-                    start + k + 1,
+                problem = (
                     f"the plane C{listed:g} is listed where the symmetry (Isym {symmetry}) "
-                    f"requires C{image:g}",
-                    "planes that are mirror images of one another",
+                    f"requires C{image:g}"
                 )
+                self.refuse(start + k + 1, problem, "planes that are mirror images of one another")
         self.assumptions.append(SYMMETRIES[symmetry])
         return around, values

@@ -22,15 +22,8 @@ from typing import Any, NamedTuple, NoReturn
 
 import numpy
 
-from radcalc.distributions.distribution import (
-    SLACK,
-    Grid,
-    Photometry,
-    closed,
-    end_of,
-    mirrored,
-    without_noise,
-)
+from radcalc.distributions import distribution
+from radcalc.distributions.distribution import Grid, Photometry
 from radcalc.errors import ConditionError, quote
 from radcalc.files import refusal
 from radcalc.files.columns import has_odd_digits, is_number, numbers_at_once
@@ -61,8 +54,7 @@ class Numbers:
     """The numbers after the label, in order; `start` is the line of the label's end."""
 
     def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
-        self.name = name
-        self.start = start
+        self.name, self.start = name, start
         self.place = 0
         self.body = list(lines[start:])
         while self.body and self.body[-1].strip().upper() in ("", "END"):
@@ -129,9 +121,8 @@ class Numbers:
     def whole(self, what: str, least: int) -> int:
         value = self.number()
         if value != int(value) or value < least:
-            raise self.error(
-                self.place - 1, f"the {what} is {value:g}", f"a whole number, {least} or more"
-            )
+            problem = f"the {what} is {value:g}"
+            raise self.error(self.place - 1, problem, f"a whole number, {least} or more")
         return int(value)
 
     def one_of(self, what: str, codes: dict[int, str]) -> int:
@@ -149,11 +140,9 @@ class Numbers:
 
     def need(self, count: int, what: str) -> None:
         if self.remaining() < count:
-            raise self.error(
-                len(self.values),
-                f"the file ends after {self.remaining()} of {what}",
-                f"{count} numbers, and the rest of the file",
-            )
+            problem = f"the file ends after {self.remaining()} of {what}"
+            hint = f"{count} numbers, and the rest of the file"
+            raise self.error(len(self.values), problem, hint)
 
 
 def _at_once(lines: Sequence[str]) -> Any:
@@ -247,9 +236,8 @@ class _Label:
                     keyword = title
                 self.keywords[keyword] = number, text
         else:
-            raise self.error(
-                max(len(lines), 1), "the file ends before a line with TILT=", "a file of IES LM-63"
-            )
+            problem = "the file ends before a line with TILT="
+            raise self.error(max(len(lines), 1), problem, "a file of IES LM-63")
         if not self.tilt:
             raise self.error(self.end, "TILT= has no value", "TILT=NONE or TILT=INCLUDE")
         if self.tilt.upper() in ("NONE", "INCLUDE"):
@@ -294,9 +282,8 @@ def _unit(label: _Label) -> tuple[str, float, list[str]]:
     plain = {re.sub("[\u00b5\u03bc]", "u", text.replace(" ", "").lower()) for text in spelled}
     kind_and_factor = UNITS.get(plain.pop()) if len(plain) == 1 else None
     if not kind_and_factor:
-        raise label.error(
-            line, f"the intensities are in {quote(' and '.join(sorted(spelled)))}", wanted
-        )
+        problem = f"the intensities are in {quote(' and '.join(sorted(spelled)))}"
+        raise label.error(line, problem, wanted)
     return *kind_and_factor, [f"intensities in {quote(spelled.pop())}, according to {where}"]
 
 
@@ -380,16 +367,14 @@ def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
     place, ends = numbers.place, set(numbers.ends)
     for count, what in _records(vertical, horizontal):
         if place + count > len(numbers.values):
-            raise numbers.error(
-                place + count, f"the file ends within {what}: {problem}", "the complete file"
-            )
+            hint = "the complete file"
+            raise numbers.error(place + count, f"the file ends within {what}: {problem}", hint)
         if place + count not in ends:
             begun = f"{what} that begin here do not end at the end of a line: {problem}"
             raise numbers.error(place, begun, f"{count} numbers")
         place += count
-    raise numbers.error(
-        place, f"more numbers than the table has: {problem}", "one luminaire in a file"
-    )
+    hint = "one luminaire in a file"
+    raise numbers.error(place, f"more numbers than the table has: {problem}", hint)
 
 
 def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
@@ -404,7 +389,7 @@ def _angles(numbers: Numbers, what: str, count: int) -> Any:
     start = numbers.place
     angles = numbers.take(count)
     right = 90 * numpy.round(angles / 90)
-    angles = numpy.where(abs(angles - right) <= SLACK, right, angles)
+    angles = numpy.where(abs(angles - right) <= distribution.SLACK, right, angles)
     for place, (before, after) in enumerate(pairwise(angles), start + 1):
         if not before < after:
             problem = f"the {what} angles do not rise: {after:g} after {before:g}"
@@ -422,7 +407,7 @@ class _Table:
         self.values = numpy.reshape(numbers.take(shape[0] * shape[1]), shape)
         self.assumptions: list[str] = []
         self.notes: list[str] = []
-        self.values, notes = without_noise(self.values, self.refuse)
+        self.values, notes = distribution.without_noise(self.values, self.refuse)
         self.notes += notes
 
     def refuse(self, place: int, problem: str, hint: str) -> NoReturn:
@@ -433,7 +418,7 @@ class _Table:
         self.check_range("vertical", 0, 180)
         if self.vertical[0] not in (0, 90):
             raise self.error("vertical", "0 or 90 for the first of type C")
-        self.assumptions += end_of(self.vertical)
+        self.assumptions += distribution.end_of(self.vertical)
         planes, values = self.horizontal, self.values
         first, last = planes[0], planes[-1]
         represent = f"the planes {first:g} to {last:g} deg represent "
@@ -444,11 +429,11 @@ class _Table:
             self.assumptions.append(
                 represent + ("all four quadrants" if last == 90 else "both sides")
             )
-            return self.vertical, *mirrored(planes, values)
+            return self.vertical, *distribution.mirrored(planes, values)
         if last != first + 360:
             self.assumptions.append(f"the plane after {last:g} deg is the first one again")
         try:
-            return self.vertical, *closed(planes, values)
+            return self.vertical, *distribution.closed(planes, values)
         except ConditionError:
             hint = "0 alone, 0..90, 0..180, 90..270 or 0..360 for type C"
             raise self.error("horizontal", hint) from None

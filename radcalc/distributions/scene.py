@@ -112,10 +112,8 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
     value, value_below = upper.value + above.value, lower.value + below.value
     missed = abs(value + value_below - whole.value)
     if missed > ACCEPTED * whole.value:
-        raise ConditionError(
-            "the light is too narrow to be divided at the horizon",
-            "without its flux upwards and downwards",
-        )
+        problem = "the light is too narrow to be divided at the horizon"
+        raise ConditionError(problem, "without its flux upwards and downwards")
     error = upper.error + above.error + missed
     return Integral(min(value, whole.value), error, upper.cells + above.cells)
 
@@ -207,9 +205,8 @@ def _slopes_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[
         if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
             found.append(low)
     if not found:
-        raise ConditionError(
-            f"no {what} gives exactly that irradiance", "another irradiance, flux or intensity"
-        )
+        problem = f"no {what} gives exactly that irradiance"
+        raise ConditionError(problem, "another irradiance, flux or intensity")
     return found
 
 
@@ -285,10 +282,8 @@ def _refinements(distribution: Distribution, radius: Number, away: Number) -> li
     least = math.pi * widest / distribution.finest
     counts = [count for count in COUNTS if 2 * count >= least]
     if len(counts) < 2:
-        raise ConditionError(
-            "the light is too narrow for an integral over the receiver",
-            "a smaller receiver, or one whose centre is on the axis",
-        )
+        problem = "the light is too narrow for an integral over the receiver"
+        raise ConditionError(problem, "a smaller receiver, or one whose centre is on the axis")
     return counts
 
 
@@ -352,10 +347,8 @@ def _over_discs(
         if error < ENOUGH:
             break
     if error > ACCEPTED:
-        raise ConditionError(
-            "the edges of the light on the receiver are too sharp for an integral",
-            "a smaller receiver, or one that is all inside the light",
-        )
+        problem = "the edges of the light on the receiver are too sharp for an integral"
+        raise ConditionError(problem, "a smaller receiver, or one that is all inside the light")
     return sums.reshape(shape)[()]
 
 
@@ -669,9 +662,8 @@ def blocks(points: Any) -> Iterator[Vector]:
     coordinates = numpy.asarray(points, float)
     if coordinates.ndim != 2 or coordinates.shape[1] != 3 or not len(coordinates):
         shape = " x ".join(map(str, coordinates.shape))
-        raise ConditionError(
-            f"points of the shape {shape or 'of a number'}", "n points of 3 coordinates"
-        )
+        problem = f"points of the shape {shape or 'of a number'}"
+        raise ConditionError(problem, "n points of 3 coordinates")
     if not numpy.isfinite(coordinates).all():
         raise ConditionError("a point has a coordinate that is not finite", "finite numbers")
     for start in range(0, len(coordinates), BLOCK):

@@ -180,10 +180,7 @@ class Formula:
         unit: str = "",
         quantity: str = "intensity",
     ) -> None:
-        self.text = text
-        self.unit = unit
-        self.kind = kind
-        self.quantity = quantity
+        self.text, self.unit, self.kind, self.quantity = text, unit, kind, quantity
         self.factor = factor
         self.expression = Expression(text)
         self.is_axial = self.expression.is_axial
@@ -216,9 +213,8 @@ class Formula:
             f"{name} = {math.degrees(angle[place]):.6g} deg"
             for name, angle in (("theta", theta), ("phi", phi))
         )
-        raise ConditionError(
-            f"the {self.quantity} '{quote(self.text)}' has {what} at {angles}", hint
-        )
+        problem = f"the {self.quantity} '{quote(self.text)}' has {what} at {angles}"
+        raise ConditionError(problem, hint)
 
     @cached_property
     def finest(self) -> float:

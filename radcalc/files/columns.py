@@ -134,9 +134,8 @@ class Decimals:
         self.point = self.comma = 0  # first lines with the mark
         self.is_sure = self.has_whole = False  # in the column of the values
         self.thousand: tuple[int, str] | tuple[()] = ()  # first line with 1.000
-        self.doubtful: (
-            tuple[int, str] | tuple[()]
-        ) = ()  # line and text of the first ambiguous number
+        # Line and text of the first ambiguous number.
+        self.doubtful: tuple[int, str] | tuple[()] = ()
 
     def conflict(self, text: str, line: int) -> str:
         """Record a number; return the problem if earlier numbers have the other mark."""
@@ -381,14 +380,7 @@ class Head:
         rows = rows[self.skipped(rows) :]
         named = self.named_row(rows, wanted) if any(wanted) else None
         start = 0 if named is None else named + 1
-        places = range(start, len(rows))
-        first = next((k for k in places if self.is_row(rows[k][1], named is not None)), None)
-        self.has_texts = first is None  # in columns without titles of the call
-        if first is None:
-            sure = (k for k in places if dialect(rows[k][1])[0] or is_number(rows[k][1]))
-            first = next((k for k in sure if self.is_row(rows[k][1], True)), None)
-        if first is None:
-            raise self.no_data(rows)
+        first, self.has_texts = self._first(rows, range(start, len(rows)), named is not None)
         self.number, line = rows[first]
         self.delimiter = self._delimiter(rows[start - 1 if start else 0 : first], line)
         self.cells = cells(line, self.delimiter)
@@ -477,6 +469,16 @@ class Head:
 
     def is_row(self, line: str, is_named: bool) -> bool:
         return self.is_data(cells_alone(line, self.typed), is_named)
+
+    def _first(
+        self, rows: Sequence[NumberedLine], places: Sequence[int], is_named: bool
+    ) -> tuple[int, bool]:
+        """Return the first row, and whether it has texts without titles: if there is no other."""
+        sure = (k for k in places if dialect(rows[k][1])[0] or is_number(rows[k][1]))
+        for among, by_name in ((places, is_named), (sure, True)):
+            if (first := next((k for k in among if self.is_row(rows[k][1], by_name)), -1)) >= 0:
+                return first, among is sure
+        raise self.no_data(rows)
 
     def _delimiter(self, above: Sequence[NumberedLine], line: str) -> str | None:
         """Return the delimiter of the table: that of its titles, if they have as many cells."""

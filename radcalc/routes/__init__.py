@@ -263,14 +263,6 @@ class ColumnSummary:
         self.greatest = max(self.greatest, *numbers)
 
 
-class Listing(NamedTuple):
-    """The columns of a table, the number of its rows, and notes."""
-
-    columns: list[ColumnSummary]
-    rows: int
-    notes: tuple[str, ...] = ()
-
-
 def unit_of(rows: FirstRows, place: int) -> Unit | None:
     """Return the unit in the title of a column, or None."""
     with suppress(RadcalcError):
@@ -280,54 +272,50 @@ def unit_of(rows: FirstRows, place: int) -> Unit | None:
     return None
 
 
-def listing(path: str, rows: FirstRows) -> Listing:
-    """Return the columns of a table whose first rows are known, up to 64 MiB of it.
+class Listing:
+    """The columns of a table, the number of its rows, and notes, up to 64 MiB of a file.
 
-    Raises
-    ------
-    ConditionError, LineError
-        If the file cannot be read, or its numbers have points and commas.
+    Rows are read in blocks of lines or one by one.
     """
-    times = {*rows.times, *rows.parts[0]}
-    titles = rows.names or [""] * rows.table.width
-    reader = _Reader(
-        rows,
-        [
-            ColumnSummary(place, title, unit_of(rows, place), place in times)
+
+    def __init__(self, path: str, head: FirstRows) -> None:
+        """Read a file whose first rows are known.
+
+        Raises
+        ------
+        ConditionError, LineError
+            If the file cannot be read, or its numbers have points and commas.
+        """
+        times = {*head.times, *head.parts[0]}
+        titles = head.names or [""] * head.table.width
+        self.table = head.table
+        self.columns = [
+            ColumnSummary(place, title, unit_of(head, place), place in times)
             for place, title in enumerate(titles)
-        ],
-    )
-    with contents.opened(path, sys.maxsize, "a table") as file:
-        text = Text(rows.name, _bounded(file.read), "a value", inf)
-        for number, lines in blocks_of(text)[0]:
-            start = max(rows.begin - number, 0)
-            for k in range(start, len(lines), BLOCK):
-                reader.add(lines[k : k + BLOCK], number + k)
-        is_cut = bool(file.read(1))
-    rows.table.finish()
-    notes = [text.note] if text.note else []
-    if reader.skipped:
-        lines_text = "a line is" if reader.skipped == 1 else f"{reader.skipped} lines are"
-        notes.append(f"{lines_text} no row of data; the first: {reader.first_skipped}")
-    notes += [column.odd for column in reader.columns if column.count and column.odd]
-    if is_cut:
-        notes.append(f"only the first {LARGEST >> 20} MiB of the file are read")
-    return Listing(reader.columns, reader.count, tuple(notes))
-
-
-class _Reader:
-    """The reader of the rows of a table, in blocks of lines or one by one."""
-
-    def __init__(self, rows: FirstRows, found: list[ColumnSummary]) -> None:
-        self.table, self.columns = rows.table, found
-        self.count = self.skipped = 0
+        ]
+        self.rows = self.skipped = 0
         self.first_skipped = ""
         # The place of a cell that shows that a row is one of data: its date, or its first number.
-        self.place = next(iter(rows.times), 0)
-        kinds = (rows.is_start, is_number)
-        self.is_row = next((is_of for is_of in kinds if is_of(rows.cells[self.place])), bool)
+        self.place = next(iter(head.times), 0)
+        kinds = (head.is_start, is_number)
+        self.is_row = next((is_of for is_of in kinds if is_of(head.cells[self.place])), bool)
+        with contents.opened(path, sys.maxsize, "a table") as file:
+            text = Text(head.name, _bounded(file.read), "a value", inf)
+            for number, lines in blocks_of(text)[0]:
+                start = max(head.begin - number, 0)
+                for k in range(start, len(lines), BLOCK):
+                    self._add(lines[k : k + BLOCK], number + k)
+            is_cut = bool(file.read(1))
+        self.table.finish()
+        self.notes = [text.note] if text.note else []
+        if self.skipped:
+            lines_text = "a line is" if self.skipped == 1 else f"{self.skipped} lines are"
+            self.notes.append(f"{lines_text} no row of data; the first: {self.first_skipped}")
+        self.notes += [column.odd for column in self.columns if column.count and column.odd]
+        if is_cut:
+            self.notes.append(f"only the first {LARGEST >> 20} MiB of the file are read")
 
-    def add(self, lines: list[str], number: int) -> None:
+    def _add(self, lines: list[str], number: int) -> None:
         try:
             self._add_at_once(lines, number)
         except ValueError:
@@ -353,7 +341,7 @@ class _Reader:
                 column.add(numbers[column.place])
             else:
                 column.see(texts[0].strip(' "'), texts[-1].strip(' "'))
-        self.count += len(lines)
+        self.rows += len(lines)
 
     def _add_line(self, number: int, line: str) -> None:
         """Add the cells of a row to their columns; count a row that cannot be read."""
@@ -365,7 +353,7 @@ class _Reader:
             self.skipped += 1
             self.first_skipped = self.first_skipped or f"line {number}: '{quote(line.strip())}'"
             return
-        self.count += 1
+        self.rows += 1
         for column, cell in zip(self.columns, cells, strict=True):
             value = None if column.is_time else columns.finite(cell, True)
             if cell.lower() in MISSING or (value and value <= LEAST and MARKED.fullmatch(cell)):

@@ -142,7 +142,7 @@ def _input(word: str) -> Fact:
 
 
 def _read(typed: "list[str]") -> Sentence:
-    """Read the words of a call; raise UsageError for too many of them."""
+    """Return the sentence of words, with its other reading; raise UsageError for too many."""
     text = " ".join(typed)
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")

@@ -12,25 +12,12 @@ from typing import Any
 import numpy
 
 from radcalc.distributions.distribution import Peak
-from radcalc.distributions.maps.light_sums import (
-    LightSums,
-    Progress,
-    Raster,
-    is_shown,
-    shown_directions,
-    solid_angles,
-)
+from radcalc.distributions.maps import light_sums
+from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
 from radcalc.geometry import projections
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
-from radcalc.geometry.projections import (
-    View,
-    has_shape,
-    middle_of_pixel,
-    name_of_map,
-    pixel_solid_angles,
-    place_of,
-)
+from radcalc.geometry.projections import View
 from radcalc.maths import Number, frozen
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS, WHOLE_SPHERE
 from radcalc.units.ranges import refuse_masked
@@ -127,10 +114,8 @@ class RadianceMap:
         self.pixels = frozen(pixels if len(pixels.shape) == 3 else pixels[:, :, None])
         rows, columns, channels = self.pixels.shape
         if len(weights or (1.0,)) != channels:
-            raise ConditionError(
-                f"pixels of {channels} channels have {len(weights or (1.0,))} weights",
-                "a weight for each channel",
-            )
+            problem = f"pixels of {channels} channels have {len(weights or (1.0,))} weights"
+            raise ConditionError(problem, "a weight for each channel")
         left, top, width, height = frame or (0, 0, columns, rows)
         check_shape(projection, width, height)
         if min(left, top) < 0 or left + columns > width or top + rows > height:
@@ -177,7 +162,7 @@ class RadianceMap:
         if self.projection == LATLONG:
             return pixels
         u, v = self.raster.row_edges(first, last)
-        inside = numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
+        inside = numpy.where(light_sums.is_shown(self.projection, u, v)[..., None], pixels, 0)
         if self.raster.view.circle == math.inf:
             return inside
         share = self._share(u, v)[..., None]
@@ -201,14 +186,14 @@ class RadianceMap:
     def solid_angles(self, first: int, last: int) -> Any:
         """Return the solid angles [sr] of the pixels in a range of rows."""
         if self.projection not in WHOLE_SPHERE:
-            return solid_angles(self.projection, *self.raster.row_edges(first, last))
+            return light_sums.solid_angles(self.projection, *self.raster.row_edges(first, last))
         # many rows are computed at a time, and cached
         (left, top, columns, rows), side = self.part, self.raster.side
         many = -(-GROUP // (self.size[0] * side)) * side
         group, start = divmod(first, many)
         if group != self._angles[0]:
             part = slice(top + group * many, top + min((group + 1) * many, rows))
-            sizes = pixel_solid_angles(self.projection, *self.size, part)
+            sizes = projections.pixel_solid_angles(self.projection, *self.size, part)
             full_rows = numpy.broadcast_to(sizes, (len(sizes), self.size[0]))
             self._angles = (group, full_rows[:, left : left + columns])
         return self._angles[1][start : start + last - first]
@@ -307,9 +292,9 @@ class RadianceMap:
     def peak(self) -> Peak:
         """Return the first pixel with the greatest radiance, and the direction of its centre."""
         value, column, row = self._peak
-        u, v = self.raster.view.places(*middle_of_pixel(*self.size, column, row))
+        u, v = self.raster.view.places(*projections.middle_of_pixel(*self.size, column, row))
         polar, azimuth, _ = projections.spherical(
-            *self.world(shown_directions(self.projection, u, v))
+            *self.world(light_sums.shown_directions(self.projection, u, v))
         )
         return Peak(value, float(polar), float(azimuth))
 
@@ -322,7 +307,7 @@ class RadianceMap:
     def _pixel_of(self, direction: projections.Vector) -> tuple[Any, Any]:
         """Return column and row of the pixels that show directions; -1 if none does."""
         (left, top, columns, rows), (width, height) = self.part, self.size
-        u, v = place_of(self.projection, *direction)
+        u, v = projections.place_of(self.projection, *direction)
         is_seen = numpy.hypot(u, v) <= self.raster.view.circle
         u, v = self.raster.view.in_image(u, v)
         # a point on the edge belongs to the pixel inside it
@@ -337,11 +322,17 @@ def check_shape(projection: str, width: int, height: int) -> None:
     if projection not in PROJECTIONS:
         raise ConditionError(f"unknown projection '{projection}'", ", ".join(PROJECTIONS))
     size = f"{width} x {height} pixels"
-    if not has_shape(projection, width, height):
+    if not projections.has_shape(projection, width, height):
         of_cube = any(width * down == height * across for across, down in CUBES)
-        what = "look like a map on a cube" if of_cube else f"are not {name_of_map(projection)}"
+        what = (
+            "look like a map on a cube"
+            if of_cube
+            else f"are not {projections.name_of_map(projection)}"
+        )
         shape = "twice as wide as high" if projection == LATLONG else "square"
-        raise ConditionError(f"{size} {what}", f"{name_of_map(projection)}, which is {shape}")
+        raise ConditionError(
+            f"{size} {what}", f"{projections.name_of_map(projection)}, which is {shape}"
+        )
     if height < LEAST:
         raise ConditionError(f"{size} are too few for a map", f"{LEAST} rows or more")
 

@@ -173,10 +173,8 @@ def library() -> Any:
     try:
         return import_module("OpenEXR")
     except ImportError:
-        raise ConditionError(
-            "OpenEXR pictures need the package OpenEXR, which is missing",
-            "pip install 'radcalc[maps]'",
-        ) from None
+        problem = "OpenEXR pictures need the package OpenEXR, which is missing"
+        raise ConditionError(problem, "pip install 'radcalc[maps]'") from None
 
 
 class _Window(NamedTuple):
@@ -279,14 +277,11 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
         raise _damaged(name)
     maps = [part.environment for part in parts if part.environment is not None]
     if (ENVMAP in declared and not maps) or not all(isinstance(m, library().Envmap) for m in maps):
-        raise ConditionError(
-            f"{name} is an environment map of an unknown kind, which is not read", "a latlong map"
-        )
+        problem = f"{name} is an environment map of an unknown kind, which is not read"
+        raise ConditionError(problem, "a latlong map")
     if any(part.is_deep for part in parts):
-        raise ConditionError(
-            f"{name} is deep: its pixels have several samples, at different distances",
-            "a flat picture",
-        )
+        problem = f"{name} is deep: its pixels have several samples, at different distances"
+        raise ConditionError(problem, "a flat picture")
     for part in parts:
         _check_size(part, name, len(data))
     room = sum(map(_Part.room, parts))
@@ -365,10 +360,8 @@ def _named(parts: Sequence[_Part], wanted: str, name: str) -> _Chosen:
 def _checked(part: _Part, chosen: _Chosen, name: str) -> _Chosen:
     """Return a choice with its alpha; refuse channels that do not have a sample for each pixel."""
     if any(part.channels[channel] != (1, 1) for channel in chosen.channels):
-        raise ConditionError(
-            f"{name} does not have {quote(', '.join(chosen.channels))} for each pixel",
-            "a picture that is not subsampled",
-        )
+        problem = f"{name} does not have {quote(', '.join(chosen.channels))} for each pixel"
+        raise ConditionError(problem, "a picture that is not subsampled")
     layer, dot, _ = chosen.channels[0].rpartition(".")
     alpha = f"{layer}{dot}A"
     has_alpha = alpha in part.channels and chosen.channels != (alpha,)
@@ -415,9 +408,8 @@ def _colours(
     space = ACES_SPACE if ACES in claims else part.space or parts[0].space
     by_space = _weights_of(space, name)
     if space == DATA and not (wanted and len(chosen.channels) == 1):
-        raise ConditionError(
-            f"{name} has data, not colours: its {SPACE} is {DATA}", "a picture of colours"
-        )
+        problem = f"{name} has data, not colours: its {SPACE} is {DATA}"
+        raise ConditionError(problem, "a picture of colours")
     if len(chosen.channels) == 1:
         return (1.0,), []
     by_file = part.chromaticities and pictures.luminance_weights(part.chromaticities, name)
@@ -462,18 +454,15 @@ def _contradictory(name: str, problem: str) -> ConditionError:
 def _check_directions(part: _Part, name: str) -> None:
     if part.environment is not None:
         if part.environment != library().ENVMAP_LATLONG:
-            raise ConditionError(
-                f"{name} is an environment map that is a cube, which is not read",
-                "the same as latlong (exrenvmap -l converts it)",
-            )
+            problem = f"{name} is an environment map that is a cube, which is not read"
+            raise ConditionError(problem, "the same as latlong (exrenvmap -l converts it)")
         return
     pixels, display = part.pixels, part.display
     is_beside = not -pixels.width < pixels.left - display.left < display.width
     is_above_or_below = not -pixels.height < pixels.top - display.top < display.height
     if is_beside or is_above_or_below:
-        raise ConditionError(
-            f"{name} has no pixels in its display window", "a picture whose windows overlap"
-        )
+        problem = f"{name} has no pixels in its display window"
+        raise ConditionError(problem, "a picture whose windows overlap")
 
 
 def _planes(file: io.BytesIO, count: int, chosen: _Chosen, name: str) -> dict[str, Any]:

@@ -23,16 +23,9 @@ from typing import Any
 
 import numpy
 
+from radcalc.geometry import projections
 from radcalc.geometry.numerics import gauss
-from radcalc.geometry.projections import (
-    ROUND,
-    Vector,
-    View,
-    corner_of_pixel,
-    density,
-    direction_at,
-    solid_angles_in_circle,
-)
+from radcalc.geometry.projections import Vector, View
 from radcalc.quantities import symbols
 
 
@@ -193,10 +186,10 @@ def shown_directions(projection: str, u: Any, v: Any) -> Vector:
     >>> [round(float(x), 12) for x in shown_directions("angular", u, v)]
     [-1.0, -0.0, 0.0]
     """
-    if projection in ROUND:
+    if projection in projections.ROUND:
         beyond = numpy.maximum(numpy.hypot(u, v), 1.0)
         u, v = u / beyond, v / beyond
-    return direction_at(projection, u, v)
+    return projections.direction_at(projection, u, v)
 
 
 def is_shown(projection: str, u: Any, v: Any) -> Any:
@@ -221,7 +214,7 @@ def is_shown(projection: str, u: Any, v: Any) -> Any:
     near_v = numpy.clip(0.0, v[..., 1:], v[..., :-1])[..., :, None]
     if projection == symbols.CYLINDRICAL:
         return (abs(near_u) < 1) & (near_v == near_v)
-    return (numpy.hypot(near_u, near_v) < 1) | (projection not in ROUND)
+    return (numpy.hypot(near_u, near_v) < 1) | (projection not in projections.ROUND)
 
 
 def _by_rows(u: Any, t: Any) -> Any:
@@ -306,8 +299,10 @@ def _by_points(projection: str, across: Any, down: Any) -> tuple[Any, Any]:
     for a in points:
         for b in points:
             u, v = x + a * wide, y + b * high
-            is_inside = projection not in ROUND or numpy.hypot(u, v) < 1
-            weight = numpy.where(is_inside, density(projection, u, v), 0.0) * (wide * high)
+            is_inside = projection not in projections.ROUND or numpy.hypot(u, v) < 1
+            weight = numpy.where(is_inside, projections.density(projection, u, v), 0.0) * (
+                wide * high
+            )
             total = total + weight * numpy.stack(shown_directions(projection, u, v))
             solid_angle = solid_angle + weight
     return total, solid_angle
@@ -322,7 +317,7 @@ def _angular(across: Any, down: Any) -> Any:
     cut = is_out & (numpy.hypot(abs(x) - wide, abs(y) - high) < 1)
     if cut.any():
         x, wide, y, high = (array[cut] for array in numpy.broadcast_arrays(x, wide, y, high))
-        inside = solid_angles_in_circle("angular", x, wide, y, high)
+        inside = projections.solid_angles_in_circle("angular", x, wide, y, high)
         has_points = solid_angle[cut] > 0
         mean = total[:, cut] / numpy.where(has_points, solid_angle[cut], 1.0)
         mean[0, ~has_points] = -1.0  # if only a corner, without a point, is in the circle
@@ -373,7 +368,7 @@ class Raster:
             numpy.arange(self.across)[:, None] * self.side + steps, columns
         )
         row = top + numpy.minimum(down * self.side + steps, rows)
-        u, v = self.view.places(*corner_of_pixel(width, height, column, row))
+        u, v = self.view.places(*projections.corner_of_pixel(width, height, column, row))
         return u, v[None]
 
     def row_edges(self, first: int, last: int) -> tuple[Any, Any]:
@@ -381,7 +376,7 @@ class Raster:
         left, top, columns, _ = self.part
         column = numpy.arange(left, left + columns + 1)
         row = numpy.arange(top + first, top + last + 1)
-        return self.view.places(*corner_of_pixel(*self.size, column, row))
+        return self.view.places(*projections.corner_of_pixel(*self.size, column, row))
 
     def rows(self, down: int) -> tuple[int, int]:
         """Return the first row of a row of blocks, and the row after its last."""

@@ -246,9 +246,8 @@ def read_pfm(data: bytes, name: str) -> Picture:
     scale = columns.finite(head[4].decode("latin-1"), False) if head else None
     if not head or not scale:
         begin = data[:200].decode("latin-1").replace("\n", " ")
-        raise ConditionError(
-            f"{name} is not a PFM picture: it begins with '{quote(begin)}'", PFM_FORM
-        )
+        problem = f"{name} is not a PFM picture: it begins with '{quote(begin)}'"
+        raise ConditionError(problem, PFM_FORM)
     channels = RGB if head[1] == b"F" else Y
     width, height = int(head[2]), int(head[3])
     check_size(width, height, name)
@@ -261,10 +260,8 @@ def read_pfm(data: bytes, name: str) -> Picture:
     stored = np.frombuffer(data, "<f4" if scale < 0 else ">f4", offset=start)
     if not _is_usual(stored) and _is_usual(other := stored.view(stored.dtype.newbyteorder())):
         problem = f"{name} has values up to {stored.max():.3g} in the byte order of its scale"
-        raise ConditionError(
-            f"{problem}, and up to {other.max():.3g} in the other one",
-            f"a copy whose scale, in its third line, has the other sign: {-scale:g}",
-        )
+        hint = f"a copy whose scale, in its third line, has the other sign: {-scale:g}"
+        raise ConditionError(f"{problem}, and up to {other.max():.3g} in the other one", hint)
     pixels = np.array(stored.reshape(height, width, -1)[::-1], np.float32)
     notes: tuple[str, ...] = ()
     if abs(scale) != 1:

@@ -132,10 +132,8 @@ def irradiance_map(
     check_shape(LATLONG, width, height)
     exact, harmonic = (f"{math.isqrt(2 * most)}x{math.isqrt(most // 2)}" for most in MOST.values())
     if width * height > MOST[order is None]:
-        raise ConditionError(
-            f"an irradiance map of {width} x {height} pixels takes too long",
-            f"at most {exact} pixels, or {harmonic} with order {ORDER}",
-        )
+        problem = f"an irradiance map of {width} x {height} pixels takes too long"
+        raise ConditionError(problem, f"at most {exact} pixels, or {harmonic} with order {ORDER}")
     if order not in (None, ORDER):
         raise ConditionError(f"there are no irradiance maps of order {order}", f"order {ORDER}")
     places = middle_of_pixel(width, height, numpy.arange(width), numpy.arange(height)[:, None])

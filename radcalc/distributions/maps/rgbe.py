@@ -22,17 +22,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from radcalc._version import __version__
-from radcalc.distributions.maps.pictures import (
-    BY_REC_709,
-    PARALLEL,
-    REC_709,
-    RGB,
-    XYZ,
-    Picture,
-    Y,
-    check_size,
-    luminance_weights,
-)
+from radcalc.distributions.maps import pictures
+from radcalc.distributions.maps.pictures import Picture
 from radcalc.errors import ConditionError, quote
 from radcalc.files import columns
 from radcalc.geometry.projections import UP, view_of_angles
@@ -57,7 +48,7 @@ SHOWN = (
     symbols.STEREOGRAPHIC,
     symbols.PERSPECTIVE,
     symbols.CYLINDRICAL,
-    PARALLEL,
+    pictures.PARALLEL,
 )
 VIEWS = dict(zip("ahsvcl", SHOWN, strict=True))
 NUMBERS_OF_VIEW = {"h": 1, "v": 1, "s": 1, "l": 1, "d": 3, "u": 3}
@@ -160,7 +151,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     if not (pixels.min() >= 0 and pixels.max() < BEYOND):
         problem = "RGBE cannot hold pixels that are negative, NaN or above 1.69e38"
         raise ConditionError(problem, "an OpenEXR (.exr) or PFM (.pfm) picture")
-    is_xyz = picture.channels == XYZ
+    is_xyz = picture.channels == pictures.XYZ
     weights = " ".join(map(repr, picture.weights))
     header = [
         "#?RADIANCE",
@@ -207,7 +198,7 @@ def _header(data: bytes, name: str) -> _Header:
     # as in Radiance's own programs
     no_format = "the pixels are RGBE, as the file has no FORMAT="
     assumptions = [] if "FORMAT" in variables else [no_format]
-    weights: tuple[float, ...] = REC_709
+    weights: tuple[float, ...] = pictures.REC_709
     if is_xyz:
         weights = (0.0, 1.0, 0.0)
         if UNIT not in variables:
@@ -217,9 +208,9 @@ def _header(data: bytes, name: str) -> _Header:
     elif WEIGHTS in numbers:
         weights = tuple(numbers[WEIGHTS])
     elif any(numbers.get("PRIMARIES", [])):  # some programs write eight zeros
-        weights = luminance_weights(numbers["PRIMARIES"], name)
+        weights = pictures.luminance_weights(numbers["PRIMARIES"], name)
     else:
-        assumptions.append(BY_REC_709)
+        assumptions.append(pictures.BY_REC_709)
     is_own = variables.get("SOFTWARE", "").startswith(SOFTWARE)
     assumptions += [ROUNDED] if is_own else [HALF_STEP, TRUNCATED]
     notes = []
@@ -228,7 +219,7 @@ def _header(data: bytes, name: str) -> _Header:
         notes.append(f"{name} has PIXASPECT={aspect:g}, but its pixels are read as square")
     picture = Picture(
         None,
-        Y if len(weights) == 1 else XYZ if is_xyz else RGB,
+        pictures.Y if len(weights) == 1 else pictures.XYZ if is_xyz else pictures.RGB,
         weights,
         FORMAT,
         unit,
@@ -304,7 +295,7 @@ def _viewed(lines: list[str], name: str) -> dict[str, Any]:
             text = directions.format(*fields["aim"], *fields["up"])
             raise _wrong_view(text, name) from None
     fields["projection"] = VIEWS[kind]
-    if VIEWS[kind] == PARALLEL:
+    if VIEWS[kind] == pictures.PARALLEL:
         return fields
     if (kind, across, upright, shift, lift) == ("a", 360, 360, 0, 0):
         return {**fields, "projection": symbols.ANGULAR}
@@ -337,13 +328,13 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
     order = (match[1] + match[2], match[4] + match[5])
     count, length = int(match[3]), int(match[6])
     size = (length, count) if match[2] == "Y" else (count, length)
-    check_size(*size, name)
+    pictures.check_size(*size, name)
     # a pixel, and the bytes of its count of repetitions
     least = count * 4 * (1 + ((length - 1).bit_length() + 7) // 8)
     if len(data) - end - 1 < least:
         problem = f"{name} is cut off: {count} scanlines of {length} pixels need {least} bytes or "
         raise ConditionError(f"{problem}more, but it has {len(data) - end - 1}", MENDED)
-    check_size(*size, name, len(data))  # repeated pixels take almost no bytes
+    pictures.check_size(*size, name, len(data))  # repeated pixels take almost no bytes
     return order, count, length, end + 1
 
 
