@@ -266,7 +266,7 @@ class _Reader:
         start, count = self.at, planes * angles
         block = self.lines[start : start + count]
         is_plain = not (self.decimals.comma or self.decimals.doubtful)
-        values = numbers_at_once("\n".join(block), block) if is_plain else None
+        values = numbers_at_once(block) if is_plain else None
         if values is not None and len(values) == count:
             self.at += count
         else:

@@ -74,7 +74,7 @@ class Numbers:
     def numbers(self, line: str, number: int) -> list[float]:
         """Return the numbers of a line, separated by blanks or commas."""
         words = line.split()
-        values = numbers_at_once(line, words)
+        values = numbers_at_once(words)
         if values is not None:
             return values
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):

@@ -169,7 +169,7 @@ class _Reader:
 
     def row(self, number: int, line: str, table: Table) -> list[float]:
         if table.delimiter == ",":
-            values = columns.numbers_at_once(line, line.split(table.delimiter))
+            values = columns.numbers_at_once(line.split(table.delimiter))
             if values is not None and len(values) == table.width:
                 return values
         cells = table.cells(number, line)

@@ -70,17 +70,6 @@ def comment_text(line: str) -> str:
     return line.lstrip("#%/; \t")
 
 
-def titles_in_comments(
-    comments: Sequence[str], width: int, delimiter: str | None = None
-) -> list[str]:
-    """Return the titles in the last comment with that many columns, if any."""
-    for comment in reversed(comments):
-        titles = cells_alone(comment, delimiter)
-        if len(titles) == width and not is_number(titles[0], False):
-            return titles
-    return []
-
-
 def has_odd_digits(text: str) -> bool:
     """Return whether a text has digits that only float() accepts: 5_50, other scripts."""
     return not text.isascii() or "_" in text
@@ -90,7 +79,7 @@ def finite_numbers(texts: Sequence[str]) -> list[float]:
     """Convert texts to finite numbers; raise ValueError for any other text."""
     values = list(map(float, texts))
     total = sum(values)
-    if total - total:
+    if total - total or has_odd_digits("".join(texts)):
         raise ValueError
     return values
 
@@ -114,10 +103,8 @@ def finite(cell: str, comma: bool) -> float | None:
     return value if value - value == 0 else None
 
 
-def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
-    """Return the numbers of a text's cells; None if they must be read one by one."""
-    if has_odd_digits(text):
-        return None
+def numbers_at_once(cells: Sequence[str]) -> list[float] | None:
+    """Return the numbers of cells; None if they must be read one by one."""
     try:
         return finite_numbers(cells)
     except ValueError:
@@ -281,20 +268,15 @@ class Table:
     def at_once(self, lines: Sequence[str]) -> list[list[str]]:
         """Return the columns of many rows; raise ValueError if a row has other cells."""
         delimiter, width = self.delimiter, self.width
-        if not delimiter:
-            rows = [line.split() for line in lines]
-        else:
-            text = "\n".join(lines)
-            if '"' in text:
-                rows = _unquoted(lines, delimiter)
-            else:
-                # the ends of the lines as separate cells: in a table they are a column
-                cells = text.replace("\n", f"{delimiter}\n{delimiter}").split(delimiter)
-                if cells[width :: width + 1].count("\n") != len(lines) - 1:
-                    raise ValueError
-                if len(cells) != len(lines) * (width + 1) - 1:
-                    raise ValueError
-                return [cells[k :: width + 1] for k in range(width)]
+        text = "\n".join(lines)
+        if delimiter and '"' not in text:
+            # the ends of the lines as separate cells: in a table they are a column
+            parts = text.replace("\n", f"{delimiter}\n{delimiter}").split(delimiter)
+            are_ends = parts[width :: width + 1].count("\n") == len(lines) - 1
+            if not are_ends or len(parts) != len(lines) * (width + 1) - 1:
+                raise ValueError
+            return [parts[k :: width + 1] for k in range(width)]
+        rows = [cells(line, delimiter) for line in lines]
         if {*map(len, rows)} != {width}:
             raise ValueError
         return [list(column) for column in zip(*rows, strict=True)]
@@ -302,8 +284,6 @@ class Table:
     def pointed(self, texts: list[str], line: int, are_values: bool = True) -> list[str]:
         """Return numbers of successive rows with decimal points; raise ValueError if unusual."""
         joined = " ".join(texts)
-        if has_odd_digits(joined):
-            raise ValueError
         marks, has_point = self.decimals, "." in joined
         if "," in joined:
             if has_point or not marks.comma:
@@ -322,19 +302,6 @@ class Table:
         """Raise if a number of the table is ambiguous."""
         if doubt := self.decimals.doubt():
             raise self.refuse(*doubt)
-
-
-def _unquoted(lines: Sequence[str], delimiter: str) -> list[list[str]]:
-    """Return the cells of lines; raise ValueError if a quoted cell spans lines."""
-    import csv
-
-    try:
-        rows = list(csv.reader(lines, delimiter=delimiter))
-    except csv.Error:
-        raise ValueError from None
-    if len(rows) != len(lines):
-        raise ValueError
-    return rows
 
 
 SEARCHED = 1000  # lines searched for the data, without comments and blank lines
@@ -456,8 +423,12 @@ class Head:
             raise self.unlike(number, line)
 
     def in_comments(self, width: int) -> list[str]:
-        """Return the titles in a comment, if any."""
-        return titles_in_comments(self.comments, width, self.typed)
+        """Return the titles in the last comment with that many columns, if any."""
+        for comment in reversed(self.comments):
+            titles = cells_alone(comment, self.typed)
+            if len(titles) == width and not is_number(titles[0], False):
+                return titles
+        return []
 
     def no_data(self, rows: Sequence[NumberedLine]) -> RadcalcError:
         problem = f"no row of data in the first {SEARCHED} lines"

@@ -312,16 +312,18 @@ class _Reader:
         marks = layout.table.decimals
         if marks.comma or marks.doubtful:
             return False
-        numbers = _columns(lines, layout, len(self.grid) > MANY)
-        if numbers is None:
+        try:
+            cells = layout.table.at_once(lines)
+            grid, values = (columns.finite_numbers(cells[k]) for k in (layout.axis, layout.place))
+        except ValueError:
             return False
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
         if layout.table.delimiter != "," and not marks.is_sure:
-            marks.watch((_cell(line, layout) for line in lines), number)
-        self.grid.extend(numbers[0])
-        self.values.extend(numbers[1])
+            marks.watch(map(str.strip, cells[layout.place]), number)
+        self.grid.extend(grid)
+        self.values.extend(values)
         self.lines.extend(range(number, number + len(lines)))
         return True
 
@@ -529,30 +531,8 @@ class _Reader:
         return array("d", [grid[i] for i in order]), array("d", [values[i] for i in order])
 
 
-def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
-    """Return wavelengths and values of rows of plain numbers; None for other rows."""
-    try:
-        if are_many and lines[0].strip():
-            import numpy
-
-            rows = numpy.loadtxt(lines, delimiter=layout.table.delimiter, comments=None, ndmin=2)
-            if rows.shape != (len(lines), layout.table.width) or not numpy.isfinite(rows).all():
-                return None
-            return rows[:, layout.axis], rows[:, layout.place]
-        texts = layout.table.at_once(lines)
-        texts = [texts[layout.axis], texts[layout.place]]
-        numbers = [columns.numbers_at_once(" ".join(column), column) for column in texts]
-        return None if None in numbers else numbers
-    except ValueError:
-        return None
-
-
 def _has_number(line: str, delimiter: str | None) -> bool:
     return any(columns.is_number(cell, True) for cell in columns.cells(line, delimiter))
-
-
-def _cell(line: str, layout: _Layout) -> str:
-    return line.split(layout.table.delimiter, layout.place + 1)[layout.place].strip()
 
 
 def _gaps(grid: Sequence[float]) -> list[str]:

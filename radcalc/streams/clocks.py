@@ -6,9 +6,10 @@ resolved by the order; one that does not exist, when they are put forward, is re
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
-from typing import NamedTuple, TypeVar
+from functools import lru_cache
+from typing import NamedTuple
 
 from radcalc import errors
 from radcalc.calculators.page import PER_DAY
@@ -56,12 +57,7 @@ class TimeSettings(NamedTuple):
     declared: Unit | None = None
 
 
-class Interval(NamedTuple):
-    """A day or an hour: its first tick, its end, and its label."""
-
-    start: int
-    end: int
-    label: str
+Interval = tuple[int, int, str]  # a day or an hour: its first tick, its end, and its label
 
 
 class Undecided(NumberError):
@@ -81,7 +77,6 @@ class Elapsed:
 
     def many(self, texts: list[str]) -> list[float]:
         """Return the ticks of many texts; raise ValueError if any is unusual."""
-        _refuse_odd_digits(texts)
         return columns.finite_numbers(texts)
 
     def one(self, text: str) -> float:
@@ -120,8 +115,8 @@ class Calendar:
         self.offsets: set[int] = set()
         if of_title is not None and not self.has_offsets:
             self.offsets.add(of_title)
-        self.days = _Known(self._day)
-        self.clocks = _Known(self._clock)
+        self.days = lru_cache(MOST_KNOWN)(self._day)
+        self.clocks = lru_cache(MOST_KNOWN)(self._clock)
         self.last: int | None = None  # ticks of local texts
         self.doubtful = ""  # a text that may be the first or the second time
         self.resolved = ""
@@ -137,21 +132,21 @@ class Calendar:
         text = "\n" + "\n".join(texts)
         if not mark or self.pattern.pieces > 1:
             parts = map(self.pattern.parts, texts)
-            ticks = [days[day] + clocks[time] for day, time in parts]  # type: ignore[operator]
+            ticks = [days(day) + clocks(time) for day, time in parts]  # type: ignore[operator]
         elif text.count(f"\n{day}{mark}") == len(texts):  # all of one day, like most of a log
-            midnight = days[day]
+            midnight = days(day)
             clock_texts = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
-            ticks = [midnight + clocks[time] for time in clock_texts]  # type: ignore[operator]
+            ticks = [midnight + clocks(time) for time in clock_texts]  # type: ignore[operator]
         else:
             divided = [text.partition(mark) for text in texts]
             # a day with a clock change is None, and the addition fails
-            ticks = [days[day] + clocks[time] for day, _, time in divided]  # type: ignore[operator]
+            ticks = [days(day) + clocks(time) for day, _, time in divided]  # type: ignore[operator]
         self.last = ticks[-1]
         return ticks
 
     def one(self, text: str) -> int:
         day, clock = self.pattern.parts(text)
-        local = self.pattern.day(day) + self.clocks[clock]
+        local = self.pattern.day(day) + self.clocks(clock)
         if not self.is_local:
             return local - (self.of_title or 0)
         self.last = self._local(local, text)
@@ -248,10 +243,10 @@ class Calendar:
         if by == PER_DAY:
             today = local.replace(hour=0, minute=0, second=0, tzinfo=None)
             start, end = (_tick(zone, today + timedelta(days=n)) for n in (0, 1))
-            return Interval(start, end, f"{today:%Y-%m-%d}")
+            return start, end, f"{today:%Y-%m-%d}"
         offset = _offset_at(zone, int(tick))
         start = (int(tick) + offset) // HOUR * HOUR - offset
-        return Interval(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._offset_text(offset)}")
+        return start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._offset_text(offset)}"
 
     def _offset_text(self, offset: int) -> str:
         return _format_offset(offset) if self.has_offset else ""
@@ -268,7 +263,8 @@ class Unix(Calendar):
         self.is_utc = zone is None
 
     def many(self, texts: list[str]) -> list[int]:
-        _refuse_odd_digits(texts)
+        if columns.has_odd_digits(" ".join(texts)):
+            raise ValueError
         try:
             ticks = [int(text) * self.ticks for text in texts]
         except ValueError:
@@ -295,24 +291,6 @@ class Unix(Calendar):
 
 
 Clock = Elapsed | Calendar
-
-
-T = TypeVar("T")
-
-
-class _Known(dict[str, T]):
-    """A bounded cache of the values of texts."""
-
-    def __init__(self, read: Callable[[str], T]) -> None:
-        super().__init__()
-        self.read = read
-
-    def __missing__(self, text: str) -> T:
-        value = self.read(text)
-        if len(self) >= MOST_KNOWN:
-            self.clear()
-        self[text] = value
-        return value
 
 
 def clock_for(first: str, settings: TimeSettings, others: Iterable[str] = ()) -> Clock:
@@ -433,8 +411,3 @@ def _without_change(zone: tzinfo, local: int) -> str:
     """Return the hint for a clock on winter time all the year."""
     offset = min(_offset(zone, local, fold) for fold in (0, 1))
     return f"{option('time-zone', _format_offset(offset))}, where the clock was not changed"
-
-
-def _refuse_odd_digits(texts: list[str]) -> None:
-    if columns.has_odd_digits(" ".join(texts)):
-        raise ValueError
