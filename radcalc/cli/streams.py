@@ -240,7 +240,32 @@ class _Calculation(_Work):
         return Calculated(source, self._of_line, wanted, heard, precision, self.layout.mark)
 
     def in_units(self, source: Source) -> Sequence[str]:
-        return _in_units(source, self._of_value, self.wanted, self.as_json)
+        """Return the results as NAME:UNIT in the units of the lines; NAME if each line has a unit.
+
+        Refuse unknown results, which the answer for a value of the same kind and unit lacks.
+        """
+        from radcalc.calculators.results import name_of, names_of, pick
+
+        values = _likely(source, self._of_value)
+        if not self.wanted and not self.as_json:
+            names = names_of([value for value in values if value.given is None]) or ["NAME:UNIT"]
+            *others, last = names
+            listing = f"{', '.join(others)} or {last}" if others else last
+            problem = f"a stream ({option(source.name, '-')}) needs -g NAME"
+            raise errors.UsageError(problem, f"-g with {listing}")
+        names_in_units = list(self.wanted)
+        for k, name in enumerate(self.wanted if values else ()):
+            try:
+                row = pick(values, name)
+            except errors.NumberError:  # an error of that value only
+                continue
+            except errors.UsageError:
+                if name_of(name) not in {v.name for v in values if v.is_absent}:
+                    raise
+                continue
+            if source.unit or not row.given:  # it has the unit of its line
+                names_in_units[k] = f"{row.name}:{row.unit}"
+        return names_in_units
 
     def header(self, column: str, target: Unit | None) -> "Header":
         """Return the titles of the header, and keep the unit of the results."""
@@ -303,37 +328,6 @@ class _Calculation(_Work):
 def _unit_of(wanted: Sequence[str]) -> Unit | None:
     text = wanted[0].partition(":")[2].strip() if wanted else ""
     return resolve_any(text) if text else None
-
-
-def _in_units(
-    source: Source, of_line: Callable[[Input], Answer], wanted: Sequence[str], as_json: bool
-) -> Sequence[str]:
-    """Return the results as NAME:UNIT in the units of the lines; NAME if each line has a unit.
-
-    Refuse unknown results, which the answer for a value of the same kind and unit lacks.
-    """
-    from radcalc.calculators.results import name_of, names_of, pick
-
-    values = _likely(source, of_line)
-    if not wanted and not as_json:
-        names = names_of([value for value in values if value.given is None]) or ["NAME:UNIT"]
-        *others, last = names
-        listing = f"{', '.join(others)} or {last}" if others else last
-        problem = f"a stream ({option(source.name, '-')}) needs -g NAME"
-        raise errors.UsageError(problem, f"-g with {listing}")
-    names_in_units = list(wanted)
-    for k, name in enumerate(wanted if values else ()):
-        try:
-            row = pick(values, name)
-        except errors.NumberError:  # an error of that value only
-            continue
-        except errors.UsageError:
-            if name_of(name) not in {v.name for v in values if v.is_absent}:
-                raise
-            continue
-        if source.unit or not row.given:  # it has the unit of its line
-            names_in_units[k] = f"{row.name}:{row.unit}"
-    return names_in_units
 
 
 def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Value]:

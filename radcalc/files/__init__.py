@@ -4,6 +4,8 @@ import codecs
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
+from itertools import chain
 
 from radcalc import terminal
 from radcalc.errors import ConditionError, Hint, quote_path
@@ -119,21 +121,15 @@ class Text:
                 return
 
     def _in_utf8(self) -> Iterator[bytes]:
-        data = self.read(BLOCK)
-        if data[:2] not in MARKS:
-            while data:
-                yield data
-                data = self.read(BLOCK)
+        blocks = iter(partial(self.read, BLOCK), b"")
+        first = next(blocks, b"")
+        if first[:2] not in MARKS:
+            yield first
+            yield from blocks
             return
-        decoder = codecs.getincrementaldecoder("utf-16")()
-        while data:
-            yield self._from_utf16(decoder, data)
-            data = self.read(BLOCK)
-        yield self._from_utf16(decoder, b"")
-
-    def _from_utf16(self, decoder: codecs.IncrementalDecoder, data: bytes) -> bytes:
         try:
-            return decoder.decode(data, not data).encode()
+            for text in codecs.iterdecode(chain([first], blocks), "utf-16"):
+                yield text.encode()
         except UnicodeDecodeError:
             problem = "the byte order mark is that of UTF-16, but the text is not UTF-16"
             raise refusal(self.name, 0, problem, "the whole file, or one in UTF-8") from None

@@ -3,7 +3,7 @@
 import os
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from math import fsum, inf
 from typing import NamedTuple
@@ -300,11 +300,13 @@ class Listing:
         kinds = (head.is_start, is_number)
         self.is_row = next((is_of for is_of in kinds if is_of(head.cells[self.place])), bool)
         with contents.opened(path, sys.maxsize, "a table") as file:
-            text = Text(head.name, _bounded(file.read), "a value", inf)
+            text = Text(head.name, lambda size: file.read(size) or b"", "a value", inf)
             for number, lines in blocks_of(text)[0]:
                 start = max(head.begin - number, 0)
                 for k in range(start, len(lines), BLOCK):
                     self._add(lines[k : k + BLOCK], number + k)
+                if file.tell() >= LARGEST:
+                    break
             is_cut = bool(file.read(1))
         self.table.finish()
         self.notes = [text.note] if text.note else []
@@ -365,16 +367,3 @@ class Listing:
             else:
                 self.table.check_marks([cell], number)
                 column.add([value])
-
-
-def _bounded(read: Callable[[int], bytes | None]) -> Callable[[int], bytes]:
-    """Return a function that reads up to the limit."""
-    left = LARGEST
-
-    def bounded(size: int) -> bytes:
-        nonlocal left
-        data = read(min(size, left)) or b""
-        left -= len(data)
-        return data
-
-    return bounded

@@ -41,6 +41,7 @@ OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
 SAYS_UNIX = re.compile(r"unix|epoch|posix|timestamp", re.IGNORECASE)
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
 SYMBOLS = {SECOND: "s", 10**6: "ms", 10**3: "us", 1: "ns"}
+NAMES = {"s": "seconds", "ms": "milliseconds", "us": "microseconds", "ns": "nanoseconds"}
 ZONE = option("time-zone", "Europe/Prague")
 
 
@@ -242,7 +243,8 @@ class Calendar:
         local = _at(zone, int(tick) // SECOND)
         if by == PER_DAY:
             today = local.replace(hour=0, minute=0, second=0, tzinfo=None)
-            start, end = (_tick(zone, today + timedelta(days=n)) for n in (0, 1))
+            first = (today - EPOCH) // timedelta(seconds=1) * SECOND
+            start, end = (at - _offset(zone, at, 0) for at in (first, first + DAY))
             return start, end, f"{today:%Y-%m-%d}"
         offset = _offset_at(zone, int(tick))
         start = (int(tick) + offset) // HOUR * HOUR - offset
@@ -285,9 +287,8 @@ class Unix(Calendar):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
         of_utc = f"; days and hours are those of UTC ({ZONE})" if self.is_utc else ""
-        return (f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}{of_utc}",)
+        return (f"the times are Unix time, in {NAMES[SYMBOLS[self.ticks]]}{of_utc}",)
 
 
 Clock = Elapsed | Calendar
@@ -386,7 +387,10 @@ def _format_offset(offset: int) -> str:
 def _offset(zone: tzinfo, local: int, fold: int) -> int:
     """Return the offset of a local time from UTC in ticks; of two, the first or the second."""
     when = (EPOCH + timedelta(seconds=local // SECOND)).replace(fold=fold)
-    offset = zone.utcoffset(when)
+    return _ticks_of(zone.utcoffset(when))
+
+
+def _ticks_of(offset: timedelta | None) -> int:
     assert offset is not None
     return round(offset.total_seconds()) * SECOND
 
@@ -397,14 +401,7 @@ def _at(zone: tzinfo, seconds: int) -> datetime:
 
 
 def _offset_at(zone: tzinfo, tick: int) -> int:
-    offset = _at(zone, tick // SECOND).utcoffset()
-    assert offset is not None
-    return round(offset.total_seconds()) * SECOND
-
-
-def _tick(zone: tzinfo, local: datetime) -> int:
-    naive = (local.toordinal() - FIRST_DAY) * DAY
-    return naive - _offset(zone, naive, 0)
+    return _ticks_of(_at(zone, tick // SECOND).utcoffset())
 
 
 def _without_change(zone: tzinfo, local: int) -> str:

@@ -27,20 +27,9 @@ if TYPE_CHECKING:
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
 # The parts of a format by the titles of columns that have one part of a time each.
-PARTS = {
-    name: f"%{part.replace('_', '%')}"
-    for part, names in {
-        "Y": "year yyyy yr",
-        "m": "month mo mon",
-        "d": "day dy dayofmonth",
-        "j": "doy jday yday dayofyear",
-        "H": "hour hr hh",
-        "M": "minute mn mi",
-        "S": "second ss",
-        "H_M": "hhmm",
-    }.items()
-    for name in names.split()
-}
+OF_PARTS = "%Y year yyyy yr, %m month mo mon, %d day dy dayofmonth, %j doy jday yday dayofyear, "
+OF_PARTS += "%H hour hr hh, %M minute mn mi, %S second ss, %H%M hhmm"
+PARTS = {name: part for part, *names in map(str.split, OF_PARTS.split(",")) for name in names}
 TEXTS, DEVICES = "texts", "devices"
 OF_SERIES = ("id", "device", "sensor", "channel", "station", "logger", "node", "serial", "probe")
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"

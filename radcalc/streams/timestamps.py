@@ -190,7 +190,7 @@ def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
             return Pattern(mark=mark)
     parts = YEAR_LAST.match(text)
     if not parts or not (orders := _orders(parts)):
-        raise _no_stamp(text)
+        raise NumberError(f"'{quote(text)}' is not a date and time", mention(KNOWN))
     joint = parts[2]
     if len(parts[4]) != 4:
         problem = f"'{quote(text)}' has a year of 2 digits, without a clear order"
@@ -350,7 +350,3 @@ def read_offset(text: str) -> int:
     except ValueError:
         raise NumberError(f"'{quote(text)}' is not an offset from UTC", "+02:00") from None
     return round(offset.total_seconds()) * SECOND
-
-
-def _no_stamp(text: str) -> NumberError:
-    return NumberError(f"'{quote(text)}' is not a date and time", mention(KNOWN))
