@@ -301,10 +301,7 @@ class SummedLog(NamedTuple):
                     notes = [f"{period.label}: {covered} of {length} are covered", *notes]
                 if seconds not in WHOLE:
                     beginning = f"{period.label} has {length}: the clocks change, and"
-                    notes = [
-                        f"{beginning} time-of-maximum is the time since its start",
-                        *notes,
-                    ]
+                    notes = [f"{beginning} time-of-maximum is the time since its start", *notes]
                 yield period.label, answer._replace(notes=[*answer.notes, *notes])
                 notes = []
 

@@ -36,11 +36,7 @@ BLOCK = 100_000  # values of a long range in one calculation
 
 
 def calculate(
-    name: str,
-    typed: dict[str, Any],
-    request: Request,
-    output: Output,
-    words: Sequence[str] = (),
+    name: str, typed: dict[str, Any], request: Request, output: Output, words: Sequence[str] = ()
 ) -> int:
     """Answer a call of a calculator, of its operands and its typed inputs.
 
@@ -294,11 +290,7 @@ def answer_sky(
     all_cases = cases(typed)
     is_drawn = bool(request.plot)
     task = Task(
-        "sky",
-        lambda given: sky(name, given, is_drawn),
-        texts_of({"type": name}),
-        name,
-        drawn=name,
+        "sky", lambda given: sky(name, given, is_drawn), texts_of({"type": name}), name, drawn=name
     )
     return run(all_cases, task, request, output)
 

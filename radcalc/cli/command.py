@@ -338,12 +338,7 @@ class Commands(Helped, click.Group):
     callback=_version,
     help=VERSION.help,
 )
-@click.option(
-    EXPLAIN,
-    is_flag=True,
-    expose_value=False,
-    help=OF_EXPLAIN.help,
-)
+@click.option(EXPLAIN, is_flag=True, expose_value=False, help=OF_EXPLAIN.help)
 def commands() -> None:
     """Calculate with light: units, photometry, radiometry, photons, geometry.
 

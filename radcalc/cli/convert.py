@@ -6,13 +6,7 @@ from radcalc import errors, terminal
 from radcalc.calculators.convert import PAGE
 from radcalc.cli import request
 from radcalc.cli.command import define
-from radcalc.cli.conversions import (
-    conversions,
-    likely_efficacy,
-    refuse_file,
-    show,
-    with_target,
-)
+from radcalc.cli.conversions import conversions, likely_efficacy, refuse_file, show, with_target
 from radcalc.cli.output import Output
 from radcalc.cli.request import cases, is_stream
 from radcalc.units.grammar import TO

@@ -189,13 +189,12 @@ def _row(
 ) -> dict[str, Any]:
     """Return the record of a column, with all digits of its numbers or a few."""
     is_exact = form in (JSON, CSV)
-    low: Any = column.first
-    high: Any = column.last
-    mean: Any = column.mean
+    found_numbers: list[Any] = [column.first, column.last, column.mean]
     if column.count:
-        low, high = column.least, column.greatest
+        found_numbers[:2] = column.least, column.greatest
     if column.count and not is_exact:
-        low, high, mean = [number(value, DIGITS) for value in (low, high, mean)]
+        found_numbers = [number(value, DIGITS) for value in found_numbers]
+    low, high, mean = found_numbers
     return {
         "column": column.name,
         "unit": column.unit.text if column.unit else "",

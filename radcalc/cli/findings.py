@@ -318,7 +318,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     if not text.strip():
         raise UsageError("a word is missing", [call("help", "lux"), call("--help")])
     if len(text) > LONGEST:
-        raise UsageError(f"nothing has the words '{quote(text)}'", call("help", "--help"))
+        raise UsageError(f"nothing has the words '{errors.quote(text)}'", call("help", "--help"))
     if len(words) > 1 and all(word in COMMANDS for word in words):
         raise UsageError("help takes one command", [call(word, "--help") for word in words])
     found = find(text)

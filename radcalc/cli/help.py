@@ -318,18 +318,8 @@ def _is_paged(text: str) -> bool:
 _FLAG: "dict[str, Any]" = {"is_flag": True, "is_eager": True, "expose_value": False}
 SHORT, COMPLETE = page.HELPS
 HELPS = (
-    click.Option(
-        [SHORT_HELP, "wants_short_help"],
-        callback=_short,
-        help=SHORT.help,
-        **_FLAG,
-    ),
-    click.Option(
-        [COMPLETE_HELP, "wants_help"],
-        callback=_complete,
-        help=COMPLETE.help,
-        **_FLAG,
-    ),
+    click.Option([SHORT_HELP, "wants_short_help"], callback=_short, help=SHORT.help, **_FLAG),
+    click.Option([COMPLETE_HELP, "wants_help"], callback=_complete, help=COMPLETE.help, **_FLAG),
 )
 
 

@@ -17,13 +17,7 @@ from radcalc.cli.command import SectionedCommand, commands, context, define, opt
 from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
 from radcalc.cli.spelling import Shell
-from radcalc.errors import (
-    RadcalcError,
-    UsageError,
-    call,
-    nearest,
-    quote,
-)
+from radcalc.errors import RadcalcError, UsageError, call, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language, translate
 from radcalc.quantities.lookup import (
     BOUNDS,

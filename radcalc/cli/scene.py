@@ -320,12 +320,7 @@ def environment_command(
     make = partial(environment_page.irradiance_map, source, given, 2 if order else None)
     inputs = texts_of({**operands, "irradiance-map": irradiance_map, "order": order or ""})
     return write_map(
-        irradiance_map,
-        "irradiance map",
-        make,
-        request,
-        output,
-        (*inputs, *shown_inputs(given)),
+        irradiance_map, "irradiance map", make, request, output, (*inputs, *shown_inputs(given))
     )
 
 

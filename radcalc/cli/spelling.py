@@ -29,14 +29,7 @@ if TYPE_CHECKING:
 GROUPS = {
     "Convert": ("convert",),
     "Lamps and files": ("point-source", "scene", "uberlight", "laser", "dose", "columns"),
-    "Surfaces, sky and rooms": (
-        "lambertian",
-        "environment",
-        "sky",
-        "room",
-        "screen",
-        "refraction",
-    ),
+    "Surfaces, sky and rooms": ("lambertian", "environment", "sky", "room", "screen", "refraction"),
     "Light itself": (
         "photon",
         "spectrum",

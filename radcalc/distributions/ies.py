@@ -90,10 +90,7 @@ class Numbers:
         for word in words:
             if not is_number(word, False):
                 raise refusal(
-                    self.name,
-                    number,
-                    f"'{quote(word)}' is not a number",
-                    "only numbers after TILT",
+                    self.name, number, f"'{quote(word)}' is not a number", "only numbers after TILT"
                 )
         return list(map(float, words))
 

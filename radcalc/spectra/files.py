@@ -373,8 +373,7 @@ class _Reader:
         if len(places) > 1 and places[0] > 0:
             titles = listed([header[k] for k in places])
             raise self.error(0, f"there are {len(places)} columns of wavelengths", titles)
-        places = places or [0]
-        return places
+        return places or [0]
 
     def finish_columns(self, layout: _Layout) -> Table:
         low, high = min(self.grid), max(self.grid)
@@ -555,25 +554,21 @@ def _table(
     meant: column_titles.Meaning,
 ) -> Table:
     """Return a spectrum in metres and watts: of photons, divided by their wavelengths."""
-    xs: Any
-    ys: Any
     points = grid
     if meant.are_photons:
         grid, values = _finer(grid, values)
+    xs: Any = [x * nanometres for x in grid]
+    ys: Any = [y * meant.factor for y in values]
+    if meant.are_photons:
+        ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
+    kind: type[Table] = Table
     if len(grid) > MANY:
         import numpy
 
         from radcalc.spectra.arrays import ArrayTable
 
-        xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
-        if meant.are_photons:
-            ys = ys * ENERGY / xs
-        table: Table = ArrayTable(name, xs, ys, absolute=meant.absolute)
-    else:
-        xs, ys = [x * nanometres for x in grid], [y * meant.factor for y in values]
-        if meant.are_photons:
-            ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
-        table = Table(name, xs, ys, absolute=meant.absolute)
+        xs, ys, kind = numpy.array(xs), numpy.array(ys), ArrayTable
+    table = kind(name, xs, ys, absolute=meant.absolute)
     table.reading = meant.said
     if meant.are_photons:
         table.measured = [x * nanometres for x in points]

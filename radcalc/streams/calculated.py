@@ -108,9 +108,7 @@ class Calculated:
         return line.encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
-        texts = block.split(b"\n")
-        texts.pop()
-        converted = self._format(texts)
+        converted = self._format(block.split(b"\n")[:-1])
         return None if converted is None else converted + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:

@@ -302,13 +302,14 @@ def clock_for(first: str, settings: TimeSettings, others: Iterable[str] = ()) ->
             raise errors.ConditionError(
                 mention("{time-unit} cannot be used with {time-format}"), "only one of them"
             )
-        return Calendar(zone, pattern_of_format(settings.format), first, offset_in(settings.title))
-    if columns.is_number(first, comma=True):
+        pattern = pattern_of_format(settings.format)
+    elif columns.is_number(first, comma=True):
         return _of_numbers(first, settings, zone)
-    if settings.unit:
+    elif settings.unit:
         problem = f"{option('time-unit', quote(settings.unit))} applies to numbers, not to"
         raise errors.ConditionError(f"{problem} '{quote(first)}'", "leave it out")
-    pattern = pattern_of(first, settings.title, others)
+    else:
+        pattern = pattern_of(first, settings.title, others)
     return Calendar(zone, pattern, first, offset_in(settings.title))
 
 

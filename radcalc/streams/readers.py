@@ -124,9 +124,7 @@ def shape_of(block: bytes) -> bytes | None:
 
 def floats(block: bytes, shape: bytes) -> list[float] | None:
     """Return the numbers of lines; None if one with an exponent may be out of range."""
-    texts = block.split(b"\n")
-    texts.pop()
-    values = list(map(float, texts))
+    values = list(map(float, block.split(b"\n")[:-1]))
     if b"e" not in shape:
         return values
     sizes = list(map(abs, values))
@@ -281,9 +279,7 @@ class Quantities:
         return text.replace(POINT, self.mark) + self.unit
 
     def lines(self, block: bytes) -> bytes | None:
-        texts = block.split(b"\n")
-        texts.pop()
-        converted = self.column(texts)
+        converted = self.column(block.split(b"\n")[:-1])
         return None if converted is None else b"\n".join(converted) + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
