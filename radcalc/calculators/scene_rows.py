@@ -12,7 +12,7 @@ from radcalc.calculators.point_laws import CONE, LOBE
 from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
 from radcalc.files import columns, where
-from radcalc.files.columns import NamedHead, Table
+from radcalc.files.columns import NamedHead
 from radcalc.quantities import describe
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
@@ -104,7 +104,10 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         cells = zip(titles, table.cells(number, line), strict=True)
         filled = {column: cell for column, cell in cells if cell}
         rows.append(Row(where(name, number), filled, titles))
-        _check_marks(rows[-1], number, table)
+        for column in filter(COLUMNS.__contains__, filled):
+            for text in columns.MARKED.findall(filled[column]):
+                if problem := table.decimals.conflict(text, number):
+                    raise rows[-1].error(column, problem, columns.MARKS)
     _read_numbers(rows, units, bool(table.decimals.comma))
     notes = []
     comments = [(number, line) for number, line in lines if line.lstrip()[:1] == COMMENT]
@@ -116,14 +119,6 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         skipped = "the lines of text above are skipped"
         notes.append(f"{name}: the titles are in line {head.title_line}; {skipped}")
     return rows, notes
-
-
-def _check_marks(row: Row, line: int, table: Table) -> None:
-    for column, cell in row.cells.items():
-        if column in COLUMNS:
-            for number in columns.MARKED.findall(cell):
-                if problem := table.decimals.conflict(number, line):
-                    raise row.error(column, problem, columns.MARKS)
 
 
 def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: bool) -> None:

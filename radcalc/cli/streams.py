@@ -90,6 +90,9 @@ class _Work:
             terminal.say([spelled(text) for text in said if text not in self.already_said])
             self.already_said.update(said)
 
+    def note(self, text: str) -> None:
+        self.say(terminal.remarks((), (text,)))
+
     def line_of(self, result: Result, line: int, field: int | None, column: str = "") -> str:
         from radcalc.render import json
 
@@ -143,16 +146,13 @@ class _Conversion(_Work):
         """Return the titles of the header, and keep them for the records."""
         from radcalc.streams.header import Header
 
-        def note(text: str) -> None:
-            self._remark((), (text,))
-
         layout = self.layout
         self.titles = Header(
             layout.cut,
             self.source,
             self.target,
             self._titled,
-            note,
+            self.note,
             column,
             layout.name,
             layout.adds,
@@ -281,7 +281,7 @@ class _Calculation(_Work):
             unit,
             resolve("1") if self.as_json else target,
             self._titled,
-            lambda text: self.say([f"note: {text}"]),
+            self.note,
             column,
             "result" if self.as_json else layout.name,  # JSON has no titles
             layout.adds and not self.as_json,

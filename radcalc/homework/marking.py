@@ -11,7 +11,7 @@ from radcalc.errors import listed, option, quote
 from radcalc.files import Text, columns, reading, refusal, where
 from radcalc.files.columns import NamedHead, Table
 from radcalc.homework import ROUNDED, Verdict, check
-from radcalc.homework.question import Claim, Question, is_rounded, of_conversion, read_claim
+from radcalc.homework.question import Question, is_rounded, of_conversion, read_claim
 from radcalc.units import NUMBER, unit_behind
 from radcalc.units.numbers import read_number
 from radcalc.units.reading import read_amount
@@ -130,7 +130,8 @@ def _pointed(texts: Sequence[str]) -> list[Cell]:
     A comma before other than three digits is decimal, and then so are all commas of the column.
     """
     numbers = [number for text in texts for number in columns.MARKED.findall(text)]
-    has_commas = any(map(_is_decimal, numbers))
+    commas = filter(columns.COMMA.fullmatch, numbers)
+    has_commas = not all(map(columns.THOUSANDS.fullmatch, commas))
     return [_cell(text, has_commas) for text in texts]
 
 
@@ -142,10 +143,6 @@ def _cell(typed: str, has_commas: bool) -> Cell:
         if has_commas and columns.COMMA.fullmatch(number):
             text = text.replace(number, number.replace(",", "."))
     return Cell(typed, text)
-
-
-def _is_decimal(number: str) -> bool:
-    return bool(columns.COMMA.fullmatch(number)) and not columns.THOUSANDS.fullmatch(number)
 
 
 RIGHT, UNIT, DIGITS, MISTAKE = "right", "unit missing", "too few digits", "mistake"
@@ -238,7 +235,8 @@ def mark(asked: Key, answer: str) -> Mark:
         return Mark(UNIT if is_bare else RIGHT)
     is_named = bool(mistake) and not is_bare
     if mistake == WRONG_UNIT:
-        is_named = _has_right_number(asked, claim)
+        text = f"{asked.right.name}={claim.number} {asked.right.unit}"
+        is_named = check(asked.question, text, asked.tolerance).right
     return Mark(MISTAKE if is_named else WRONG, mistake, done)
 
 
@@ -256,11 +254,6 @@ def _judged(asked: Key, answer: str) -> tuple[Verdict, bool]:
         if verdict.right or unit == "1":
             return verdict, False
     return check(asked.question, f"{text} {unit}", asked.tolerance), True
-
-
-def _has_right_number(asked: Key, claim: Claim) -> bool:
-    text = f"{asked.right.name}={claim.number} {asked.right.unit}"
-    return check(asked.question, text, asked.tolerance).right
 
 
 def read_parts(text: str) -> dict[str, float]:
