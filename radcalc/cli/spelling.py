@@ -365,11 +365,7 @@ def _canonical(words: list[str]) -> list[str]:
         return words
     operands, options, ends = _parts(words[is_convert:])
     value = operands[: is_sentence(operands[:1])]  # also the - of a stream
-    sides, last = operands[len(value) :], [ends[name] for name in ENDS[1:] if name in ends]
-    if ENDS[0] in ends:
-        sides = _after_source(value, sides, ends[ENDS[0]], last)
-    else:
-        sides += ["to", *last] if value and last else last
+    sides = _with_ends(value, operands[len(value) :], ends)
     if value:
         return _said("convert", *value, *sides, *options) if ends else words
     source, target = _sides(sides)
@@ -386,6 +382,14 @@ def _canonical(words: list[str]) -> list[str]:
         return _said("convert", "-", target, *options)
     # without a pipe, a target alone is refused for its missing value
     return ["convert", "to", target, *options] if has_word and not source else words
+
+
+def _with_ends(value: list[str], sides: list[str], ends: dict[str, str]) -> list[str]:
+    """Return the words after a value, with the units of --from and --to in their places."""
+    last = [ends[name] for name in ENDS[1:] if name in ends]
+    if ENDS[0] in ends:
+        return _after_source(value, sides, ends[ENDS[0]], last)
+    return [*sides, *(["to"] if value and last else []), *last]
 
 
 def _after_source(value: list[str], sides: list[str], source: str, last: list[str]) -> list[str]:
