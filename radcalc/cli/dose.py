@@ -245,7 +245,5 @@ def _has_dose(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> 
 
 def _another(unit: Unit) -> str:
     """Return the first unit of the same quantity with another size, or ""."""
-    if unit.is_scale:
-        return ""
     units = (text for text in offered(unit) if resolve(text).factor != unit.factor)
-    return next(units, "")
+    return "" if unit.is_scale else next(units, "")

@@ -394,7 +394,8 @@ class Layout(NamedTuple):
         if cut and cut.delimiter == mark != b".":
             problem = "--decimal , cannot be used with --delimiter ,"
             raise errors.UsageError(problem, option("delimiter", "tab"))
-        fields = Fields("1" if options.field is None else options.field)
+        column = None if lines else options.column  # the number of one without a title
+        fields = Fields(next((one for one in (options.field, column) if one is not None), "1"))
         name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
         if name is not None and not fields.is_one:

@@ -12,14 +12,7 @@ from radcalc.files import Text, columns
 from radcalc.files.columns import NumberedLine, unit_column
 from radcalc.quantities import column_titles, describe, name_of
 from radcalc.quantities import read as read_light
-from radcalc.quantities.column_titles import (
-    Title,
-    find,
-    is_same,
-    read_title,
-    unit_of_meter,
-    unit_of_name,
-)
+from radcalc.quantities.column_titles import Title, find, is_same, read_title, unit_of_name
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
 from radcalc.streams.log_layout import FirstRows, LogSettings
 from radcalc.streams.readers import UTF_8, Texts
@@ -51,7 +44,10 @@ def head_of(data: bytes, column: str, delimiter: str) -> tuple[str, int]:
         head = InputHead("stdin", lines, LogSettings(column=column, delimiter=delimiter))
     except errors.RadcalcError:
         first = lines[0][1] if lines else ""
-        return delimiter or columns.dialect(first)[0] or "", 1
+        mark = delimiter or columns.dialect(first)[0] or ""
+        cells = dict(enumerate(columns.cells(first, mark or None), 1))
+        has_number = column.isdecimal() and columns.is_number(cells.get(int(column), ""))
+        return mark, int(not has_number)
     return head.delimiter or "", head.title_lines
 
 
@@ -181,7 +177,7 @@ class Header:
     def check_unit(self, text: bytes) -> None:
         """Refuse the unit of a line if it is not that of the numbers."""
         typed = text.decode(errors="replace")
-        unit = unit_of_meter(typed)
+        unit = column_titles.unit_of_meter(typed)
         if self.source and not (unit and is_same(unit, self.source)):
             problem = f"the unit is '{quote(typed)}', not {quote(self.source.text)}"
             raise errors.NumberError(problem, "a call for the lines of each unit")

@@ -75,6 +75,16 @@ EXACT = {
     "two lines of header": (b"E\nlx\n1\n", ("--header=2",), b"E\nfc\n0.09290304\n"),
     "a header alone": (b"E", ("--header=3",), b"E"),
     "a column": (b"t,E\n0,1\n", ("-d", ",", "--column", "E"), b"t,E\n0,0.09290304\n"),
+    "a column without titles": (
+        b"1,100,OK\n2,200,OK\n",
+        ("-d", ",", "--column", "2"),
+        b"1,9.290304,OK\n2,18.580608,OK\n",
+    ),
+    "a column without titles, by its own delimiter": (
+        b"a 100 OK\nb 200 OK\n",
+        ("--column", "2"),
+        b"a 9.290304 OK\nb 18.580608 OK\n",
+    ),
     "a column of a header in quotes": (
         b'\xef\xbb\xbf"E, ""lx""",t\r\n1,2\r\n',
         ("-d", ",", "--column", 'E, "lx"'),
