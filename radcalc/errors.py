@@ -466,6 +466,10 @@ class TooManyWords(UsageError):
     """A conversion with more words than a value and two units; it may be a sentence."""
 
 
+class NoFile(UsageError):
+    """A word with the ending of a file that does not exist."""
+
+
 class SeveralReadings(UsageError):
     """A sentence that several calls may mean."""
 

@@ -262,6 +262,7 @@ COMMANDS = {
     "two options alone are refused": ("-n -g", "radcalc has no -n option"),
     "an absent file is not a command": ("absent.ies", "there is no file 'absent.ies'"),
     "a file to write is not absent": ("labertian disc --save plot.csv", "unknown command"),
+    "an absent file with its place": ("absent.ies at 3 m to lx", "there is no file 'absent.ies'"),
     "an absent file in a sentence": ("flux of absent.ies", "there is no file 'absent.ies'"),
     "a conversion has no option for the name of a result": (
         "convert 100 lx fc --get illuminance", "convert has no --get option", "-n"),

@@ -82,7 +82,12 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
         return False
     asked, _ = options_of(options_of(words)[0], _of_file(words))
     asked, inputs = inputs_of(asked)
-    of_reading = (errors.ExpressionError, errors.MissingCondition, errors.SeveralReadings)
+    of_reading = (
+        errors.ExpressionError,
+        errors.MissingCondition,
+        errors.NoFile,
+        errors.SeveralReadings,
+    )
     is_read = isinstance(error, of_reading) and not are_uncertain(words)
     if is_read or all(word[:1] == "-" for word in asked):
         return False

@@ -12,7 +12,7 @@ from itertools import pairwise, takewhile
 
 from radcalc import errors, terminal
 from radcalc.calculators import COMMANDS, SUBJECTS
-from radcalc.errors import MINUS, RadcalcError, UsageError, call, nearest, quote
+from radcalc.errors import MINUS, NoFile, RadcalcError, UsageError, call, nearest, quote
 from radcalc.units import Unit
 from radcalc.units.grammar import ALSO_UNITS, TO
 from radcalc.units.numbers import is_sentence
@@ -294,7 +294,7 @@ def absent_file(args: list[str]) -> UsageError | None:
         near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
     paths = [os.path.join(folder, one) for one in near]
     hint = errors.corrections(absent[0], *paths) or "the path of a file"
-    return UsageError(f"there is no file '{quote(absent[0])}'", hint)
+    return NoFile(f"there is no file '{quote(absent[0])}'", hint)
 
 
 def typical_of(text: str) -> errors.Try | None:
