@@ -131,6 +131,9 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         lambda: errors.UnknownResult("unknown result 'x'", ["flux", "area"]),
         ("unknown result 'x'", "flux, area"), ("unknown result 'x'", "flux, area"),
         ("unknown result 'x'", "flux, area")),
+    "an absent file has no mention": (
+        lambda: errors.NoFile("there is no file 'lamp.ies'", "the path of a file"),
+        *[("there is no file 'lamp.ies'", "the path of a file")] * 3),
     "a conversion of too many words may be a sentence": (
         lambda: errors.TooManyWords("too many words: 'lx to fc now'", errors.drop("now")),
         ("too many words: 'lx to fc now'", "leave out now"),
