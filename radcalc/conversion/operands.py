@@ -287,9 +287,10 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         amount, rest = _with_next_unit(words, amount, separator, rest)
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
-        hint: errors.Hint = errors.call(
-            "convert", words[0], *(("lx", "fc") if is_plain else ("to", "1"))
-        )
+        others = ("lx", "fc") if is_plain else ("to", "1")
+        hint: errors.Hint = errors.call("convert", words[0], *others)
+        if any(char.isdigit() for char in "".join(words[1:])):  # which the call would drop
+            hint = "a unit after the number"
         raise errors.UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
         raise errors.UsageError("the unit to convert to is missing", EXAMPLE)
