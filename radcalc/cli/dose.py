@@ -217,10 +217,9 @@ def _command(path: str, found: Contents, column: ColumnSummary, count: int) -> s
     target = _another(column.unit)
     if not target or not rows.names or found.is_made:
         return ""
-    is_own = rows.names.count(column.name) == 1
-    name = column.name if is_own else str(column.place + 1)
-    words = ["radcalc convert -", quoted(column.unit.text), quoted(target)]
-    words += ["--column", quoted(name)]
+    name = column.name if rows.names.count(column.name) == 1 else str(column.place + 1)
+    units = quoted(column.unit.text), quoted(target)
+    words = ["radcalc convert -", *units, "--column", quoted(name)]
     if rows.table.decimals.comma:
         words.append("--decimal ,")
     return " ".join([*words, *skip.split(), "<", quoted(path)])

@@ -340,7 +340,8 @@ def _is_short(words: Words) -> bool:
     A call that reads standard input or a large file, or writes one, or works long, is not tried.
     """
     command = called_in(words)
-    options = [word.partition("=")[0] for word in words]
+    values = pairwise([*words, ""])  # with --invalid ignore a call writes no errors
+    options = [word.partition("=")[0] for word, value in values if value != terminal.IGNORE]
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
     if EXPLAIN in words:

@@ -212,6 +212,16 @@ def test_a_sample_above_what_the_sun_gives_is_noted_with_its_line(unit, value, i
     assert ("in line 4 " in done.stderr) == is_noted
 
 
+def test_a_hint_that_skips_a_line_is_followed_to_its_answer(tmp_path):
+    """Between 500 and 600 W/m2 ten minutes apart, straight lines give 330 kJ/m2."""
+    path = tmp_path / "log.csv"
+    rows = "2021-01-01 12:00,500\n2021-01-01 12:05,-99.9\n2021-01-01 12:10,600\n"
+    path.write_text(f"time,E [W/m2]\n{rows}", "utf-8")
+    done = run("dose", str(path))
+    for way in ("--missing -99.9", "--invalid ignore"):
+        assert f"{way} --max-gap 10min\n     exposure 330000 J/m2" in done.stderr
+
+
 def test_columns_of_light_are_proposed_with_their_sums(tmp_path):
     """By the trapezoids of 10 and 20, and of 20 and 30 W/m2, over an hour."""
     rows = "2024-06-01 10:00,10,20\n2024-06-01 11:00,20,30\n"
