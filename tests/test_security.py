@@ -204,7 +204,8 @@ def test_only_the_manual_starts_a_program_in_a_pipe(home):
     started = {name for what, name in told(home, "manual", "units") if what == "starts"}
     assert {Path(name).name for name in started} == {"man"}
     for words in (["--help"], ["convert", "--help"], ["help", "lux"], ["lamp.csv"]):
-        assert not {what for what, _ in told(home, *words)} & {"starts"}
+        started = {name for what, name in told(home, *words) if what == "starts"}
+        assert started <= {"fc-list"}, words  # older Matplotlib lists the fonts
 
 
 def test_no_call_connects_or_writes(home):

@@ -165,10 +165,17 @@ def numbers_input(symbol: symbols.Symbol, value: Any) -> Input:
     return Input(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
 
 
+def _whole(item: Any) -> int:
+    """Return a whole number; NumPy 2.0 takes its truth values for 0 and 1."""
+    if getattr(item, "dtype", None) == bool:
+        raise TypeError
+    return index(item)
+
+
 def pair_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read two whole numbers separated as in the symbol's example: 1024x512, or 0,0."""
     mark = "x" if "x" in symbol.example else ","
-    text = joined(value, mark, index)
+    text = joined(value, mark, _whole)
     parts = [part.strip() for part in text.lower().replace("×", "x").split(mark)]
     option_text = option(symbol.name, quote(text))
     if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
