@@ -233,7 +233,7 @@ def test_a_refusal_of_a_condition_is_a_condition_error():
 
 # words of a command, parts of its output
 COMMANDS = {
-    "a call would drop the second number": ("10 to 20 lx", "20 lx", "command that calculates it"),
+    "a call would drop the second number": ("10 to 20 lx", "20 lx", "radcalc help illuminance"),
     "photons from 400 nm to 700 nm have at most 5.85154 umol/J": (
         "convert 100 W/m2 ppfd --efficacy 2.1mol/J", "light gives 3.34374 to 5.85154 umol/J",
         "2.1umol/J"),

@@ -167,7 +167,7 @@ def numbers_input(symbol: symbols.Symbol, value: Any) -> Input:
 
 def _whole(item: Any) -> int:
     """Return a whole number; NumPy 2.0 takes its truth values for 0 and 1."""
-    if getattr(item, "dtype", None) == bool:
+    if str(getattr(item, "dtype", "")) == "bool":
         raise TypeError
     return index(item)
 

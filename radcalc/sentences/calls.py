@@ -96,8 +96,10 @@ def call_of(sentence: Sentence) -> list[str]:
 
 def _about(sentence: Sentence) -> str:
     """Return a hint about what is asked for: the call that finds what gives this quantity."""
-    has_amount = any(fact.amount and not is_bare(fact) for fact in sentence.facts)
-    unit = sentence.goals[0].unit if has_amount and sentence.goals else None
+    units = [fact.amount.unit for fact in sentence.facts if fact.amount and not is_bare(fact)]
+    unit = units[0] if units else None
+    if units and sentence.goals:
+        unit = sentence.goals[0].unit
     if unit is None or unit.dimension == NUMBER:
         return "a call of the command that calculates it"
     return errors.command("help", *name_of(unit).split())
