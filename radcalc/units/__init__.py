@@ -28,15 +28,20 @@ BASES = (
     "luminosity",
     "retinal_illuminance",
     "current",
+    "weight",
 )
 MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # places in BASES
+WEIGHT_AT, CURRENT_AT = 10, 9
+# The exponent of `weight` has the exponents of all weights of spectra as digits, from -32 to 31, one
+# at the place of each: one slot of the dimension has (weight, exponent).
+WEIGHT_BASE = 64
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
 TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, *NUMBER[4:])
 INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
-FIELD_STRENGTH: Dimension = (1, 1, -3, *NUMBER[3:9], -1)  # V/m
+FIELD_STRENGTH: Dimension = (1, 1, -3, *NUMBER[3:9], -1, 0)  # V/m
 # Units of length that are read as a wavelength in the divisor of a light quantity.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")

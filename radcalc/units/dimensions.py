@@ -1,6 +1,9 @@
 """Dimensions: exponents of the base quantities, and their names."""
 
-from radcalc.units import BASES, NUMBER, Dimension
+from radcalc.units import BASES, NUMBER, WEIGHT_AT, WEIGHT_BASE, Dimension
+from radcalc.units.compiled import WEIGHTS
+
+SUFFIXES = [*WEIGHTS]  # of the weights, by their places
 
 
 def powers(**exponents: int) -> Dimension:
@@ -14,6 +17,29 @@ def powers(**exponents: int) -> Dimension:
 def times(a: Dimension, b: Dimension, power: int = 1) -> Dimension:
     """Return the dimension of a * b**power."""
     return tuple([x + power * y for x, y in zip(a, b, strict=True)])
+
+
+def weighted(dimension: Dimension, place: int, power: int = 1) -> Dimension:
+    """Return a dimension times a power of the weight at a place."""
+    exponent = dimension[WEIGHT_AT] + power * WEIGHT_BASE**place
+    return (*dimension[:WEIGHT_AT], exponent)
+
+
+def weights_of(dimension: Dimension) -> dict[int, int]:
+    """Return the exponents of the weights in a dimension, by their places."""
+    rest, place, found = dimension[WEIGHT_AT], 0, {}
+    while rest:
+        rest, digit = divmod(rest + WEIGHT_BASE // 2, WEIGHT_BASE)
+        if digit != WEIGHT_BASE // 2:
+            found[place] = digit - WEIGHT_BASE // 2
+        place += 1
+    return found
+
+
+def weight_of(dimension: Dimension) -> str:
+    """Return the suffix of the one weight in a dimension, with the power 1; '' for others."""
+    found = weights_of(dimension) if dimension[WEIGHT_AT] else {}
+    return "".join([SUFFIXES[place] for place in found]) if [*found.values()] == [1] else ""
 
 
 LENGTH = powers(length=1)

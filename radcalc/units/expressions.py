@@ -24,7 +24,7 @@ from radcalc.errors import call, quote
 from radcalc.floats import SMALLEST, divide
 from radcalc.units import BASES, NUMBER, PI, Dimension, Unit, lookup, read_own, values
 from radcalc.units.compiled import CONSTANTS, NAMES
-from radcalc.units.dimensions import ANGLE
+from radcalc.units.dimensions import ANGLE, weights_of
 from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
 from radcalc.units.numbers import (
     CALLS,
@@ -808,7 +808,7 @@ class Calculator(Scanner):
         return Value(top, bottom, blur=blur)
 
     def root(self, value: Value, call: str) -> Value:
-        if value.top < 0 or any(power % 2 for power in value.dimension):
+        if value.top < 0 or any(power % 2 for power in (*value.dimension, *weights_of(value.dimension).values())):
             raise self.wrong(f"has no value for {call}", "a square, such as 4 m2")
         from radcalc.units import functions
 
@@ -816,8 +816,7 @@ class Calculator(Scanner):
         dimension = tuple([power // 2 for power in value.dimension])
         units = {name: power // 2 for name, power in value.units.items()}
         if any(power % 2 for power in value.units.values()):
-            pairs = zip(values.BASE_UNITS, dimension, strict=True)
-            units = {name: power for name, power in pairs if power}
+            units = values.base_units(dimension)
         return Value(top, bottom, dimension, units, value.rounding / 2, value.had_units, blur)
 
 

@@ -1,5 +1,7 @@
 """The units of `light.txt` in Pint: the registry of the Python API, and the compiled tables.
 
+The units of the weights of spectra are made from the rows of `weights.tsv`.
+
 `python -m radcalc.units.registry` writes `compiled.py`, which every conversion loads, and
 `catalogue.py`, which only `radcalc units` loads.  Only this module imports Pint.
 """
@@ -15,14 +17,72 @@ from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError, quote
 from radcalc.floats import divide
-from radcalc.units import BASES, MASS_AT, OWN, Dimension, Unit, table
+from radcalc.units import BASES, MASS_AT, OWN, WEIGHT_AT, WEIGHT_BASE, Dimension, Unit, table
 from radcalc.units.compiled import UNITS
+from radcalc.units.dimensions import weights_of
 from radcalc.units.languages import Definition, definition
 from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
 from radcalc.units.values import BASE_UNITS
 
-DEFINITIONS = Path(__file__).with_name("light.txt")
+HERE = Path(__file__).parent
+DEFINITIONS = HERE / "light.txt"
+PREFIXES = {"W": "all", "J": "all", "lm": "k M m u", "lx": "k m u", "cd": "k m u", "mol": "m u n"}
+UNITS_OF_BASES = {
+    "e": (("W", "watt"), ("J", "joule")),
+    "v": (("lm", "lumen"), ("lx", "lux"), ("cd", "candela")),
+    "p": (("mol", "mole"), ("photon", "photon")),
+}
+
+
+class Weight(NamedTuple):
+    """A row of `weights.tsv`."""
+
+    name: str
+    suffix: str
+    base: str
+    adjective: str
+    table: str
+    low: str
+    high: str
+    units: str
+    source: str
+
+    def definitions(self) -> list[str]:
+        """Return the definitions of its units, with their marks; the first is of its base unit."""
+        lines = [f"{self.base_unit} = [{self.base_unit}]"]
+        word = self.name.replace("-", "_")
+        for symbol, name in UNITS_OF_BASES[self.base]:
+            lines += [f"#: {self.source}", f"#~ {PREFIXES.get(symbol, '')}"]
+            lines.append(f"{word}_{name} = {name} * {self.base_unit} = {symbol}_{self.suffix}")
+        for text in filter(None, self.units.split("; ")):
+            definition, _, rest = text.partition(" : ")
+            definition, _, prefixes = definition.partition(" ~ ")
+            lines += [f"#: {rest or self.source}", f"#~ {prefixes}", definition]
+        return lines
+
+    @property
+    def base_unit(self) -> str:
+        """The unit of its base in Pint, which no text has."""
+        return f"weight_{self.suffix}"
+
+    def names(self) -> dict[str, str]:
+        """Return the quantities of its further units that have a name of their own."""
+        texts = (text.partition(" : ")[::2] for text in self.units.split("; "))
+        return {unit.split(" = ")[0]: name for unit, name in texts if name}
+
+
+def read_weights() -> list[Weight]:
+    """Return the rows of `weights.tsv`."""
+    text = (HERE / "weights.tsv").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if line[0] != "#"]
+    return [Weight(*line.split("\t")) for line in lines[1:]]
+
+
+def definitions() -> str:
+    """Return the definitions of `light.txt`, and those of the units of weights."""
+    lines = [line for weight in read_weights() for line in weight.definitions()]
+    return "\n".join([DEFINITIONS.read_text(encoding="utf-8"), *lines])
 
 
 if TYPE_CHECKING:
@@ -60,8 +120,10 @@ class LightRegistry(Registry):
 
     def _define_own(self, top: int, bottom: int, dimension: Dimension, name: str) -> None:
         """Define a unit of the user's definitions in Pint."""
+        rows = read_weights()
         base = [
-            f"{unit}**{power}" for unit, power in zip(BASE_UNITS, dimension, strict=True) if power
+            *[f"{unit}**{power}" for unit, power in zip(BASE_UNITS, dimension, strict=False) if power],
+            *[f"{rows[k].base_unit}**{power}" for k, power in weights_of(dimension).items()],
         ]
         self.closed = False
         try:
@@ -106,7 +168,7 @@ def from_container(units: Any) -> Unit:
 def light_registry() -> LightRegistry:
     """Return the registry of the Python API, built once."""
     registry = LightRegistry(
-        str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False
+        definitions().splitlines(), cache_folder=None, autoconvert_offset_to_baseunit=False
     )
     registry.closed = True
     return registry
@@ -115,11 +177,10 @@ def light_registry() -> LightRegistry:
 def exact_registry() -> Registry:
     """Build a registry with exact fractions as factors; a name defined twice is an error."""
     return Registry(
-        str(DEFINITIONS), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
+        definitions().splitlines(), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
     )
 
 
-HERE = Path(__file__).parent
 PLACES = {f"[{name}]": place for place, name in enumerate(BASES)}
 
 
@@ -151,7 +212,7 @@ def read(text: str) -> Definitions:
                 name = name[:-1]
                 definitions.prefix_names[name] = _power_of_ten(Fraction(value))
                 definitions.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
-            elif name != "pi":
+            elif name != "pi" and not name.startswith("weight_"):
                 kind = definitions.constants if "$" in marks else definitions.units
                 kind.append(definition(name, value, aliases, marks, definitions.prefix_symbols))
             marks = {}
@@ -194,13 +255,22 @@ def refuse_collisions(definitions: Definitions) -> None:
         raise ValueError(f"a short spelling of two constants: {letters}")
 
 
+def exponent_of(base: str) -> int:
+    """Return the exponent of `weight` that is 1 for the base unit of a weight in Pint."""
+    places = {f"[{row.base_unit}]": place for place, row in enumerate(read_weights())}
+    return WEIGHT_BASE ** places[base]
+
+
 def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
     """Return Pint's exact factor of a unit to coherent SI units, and its dimension."""
     container = UnitsContainer({name: 1})
     factor, _ = registry.get_root_units(container)
     powers = [0] * len(PLACES)
     for base, power in registry.get_dimensionality(container).items():
-        powers[PLACES[base]] = int(power)
+        if base in PLACES:
+            powers[PLACES[base]] = int(power)
+        else:
+            powers[WEIGHT_AT] += int(power) * exponent_of(base)
     factor = Fraction(factor) / Fraction(1000) ** powers[MASS_AT]  # Pint's base is the gram
     return factor.numerator, factor.denominator, tuple(powers)
 
@@ -210,7 +280,7 @@ def compile_units(text: str) -> tuple[str, str]:
     definitions = read(text)
     refuse_collisions(definitions)
     registry = exact_registry()
-    head = '"""Generated by `python -m radcalc.units.registry` from light.txt; do not edit."""\n\n'
+    head = '"""Generated by `python -m radcalc.units.registry` from light.txt and weights.tsv; do not edit."""\n\n'
     prefixes = tuple(definitions.prefix_names)
     units = "".join(
         f"    {u.name!r}: ({top}, {bottom}, {powers}, {allowed}),\n"
@@ -218,6 +288,7 @@ def compile_units(text: str) -> tuple[str, str]:
         for top, bottom, powers in [worth(registry, u.name)]
         for allowed in ["ALL" if u.prefixes == prefixes else u.prefixes]
     )
+    rows = read_weights()
     table = (
         f"{head}ALL = {prefixes}\n"
         f"UNITS = {{\n{units}}}\n"
@@ -226,6 +297,9 @@ def compile_units(text: str) -> tuple[str, str]:
         f"NOTES = {_lines({u.name: u.note for u in definitions.units if u.note})}\n"
         f"CONSTANTS = {_lines({c.name: worth(registry, c.name) for c in definitions.constants})}\n"
         f"SPELLINGS_OF_CONSTANTS = {_lines(_constants(definitions))}\n"
+        f"# suffix: (name, base, adjective), in the order of the places\n"
+        f"WEIGHTS = {_lines({row.suffix: row[:1] + row[2:4] for row in rows})}\n"
+        f"QUANTITIES = {_lines({k: v for row in rows for k, v in row.names().items()})}\n"
         f"REFUSED = {_lines(definitions.refused)}\n"
         f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
         f"PREFIX_SYMBOLS = {_lines(definitions.prefix_symbols)}\n"
@@ -256,7 +330,7 @@ def _lines(mapping: dict[str, Any]) -> str:
 
 def main() -> None:
     """Write both tables into the folder of this module."""
-    table, catalogue = compile_units(DEFINITIONS.read_text(encoding="utf-8"))
+    table, catalogue = compile_units(definitions())
     (HERE / "compiled.py").write_text(table, encoding="utf-8")
     (HERE / "catalogue.py").write_text(catalogue, encoding="utf-8")
 

@@ -38,12 +38,13 @@ from radcalc.units import (
     NUMBER,
     TEMPERATURE_ALONE,
     TIME_AT,
+    WEIGHT_AT,
     Dimension,
     Unit,
     lookup,
 )
-from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
-from radcalc.units.dimensions import COHERENT
+from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS, WEIGHTS
+from radcalc.units.dimensions import COHERENT, SUFFIXES, weight_of, weights_of
 from radcalc.units.grammar import plain
 from radcalc.units.numbers import DIGITS, Amount, read_number, times, word_at
 from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
@@ -54,6 +55,7 @@ LIGHT, PLANCK, REDUCED = "speed_of_light", "planck_constant", "reduced_planck_co
 EULER = "e"
 HOMONYMS = tuple([s for s in SPELLINGS_OF_CONSTANTS if s == EULER or lookup(s)])
 BASE_UNITS = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
+HEADS = {"e": "W", "v": "lm", "p": "mol"}  # units of the light that a weight is of
 
 
 class OfConstants(Unit):
@@ -152,10 +154,22 @@ def _text(dimension: Dimension) -> str:
     if head:
         powers = [a - b for a, b in zip(dimension, resolve(head).dimension, strict=True)]
     over = [head] if head else []
-    over += [_raised(name, n) for name, n in zip(BASE_UNITS, powers, strict=True) if n > 0]
-    under = [_raised(name, -n) for name, n in zip(BASE_UNITS, powers, strict=True) if n < 0]
+    units = base_units(tuple(powers))
+    over += [_raised(name, n) for name, n in units.items() if n > 0]
+    under = [_raised(name, -n) for name, n in units.items() if n < 0]
     product = f"({'.'.join(over)})" if len(over) > 1 else "".join(over) or "1"
     return "/".join([product, *under])
+
+
+def base_units(dimension: Dimension) -> dict[str, int]:
+    """Return the base units of a dimension with their powers; a weight is that of a ratio: W_mel/W."""
+    powers = {name: n for name, n in zip(BASE_UNITS, dimension, strict=False) if n}
+    for place, power in weights_of(dimension).items():
+        suffix = SUFFIXES[place]
+        unit = HEADS[WEIGHTS[suffix][1]]
+        powers[f"{unit}_{suffix}"] = power
+        powers[unit] = powers.get(unit, 0) - power
+    return powers
 
 
 def _raised(name: str, power: int) -> str:
@@ -163,12 +177,16 @@ def _raised(name: str, power: int) -> str:
 
 
 def _head(dimension: Dimension) -> str:
-    """Return the derived unit in a dimension: W, J, lm, cd or none."""
+    """Return the derived unit in a dimension: W, J, lm, cd or none; with a weight: W_mel."""
+    head = ""
     if dimension[MASS_AT] == 1:
-        return "W" if dimension[TIME_AT] == -3 else "J"
-    if dimension[LUMINOSITY_AT] == 1:
-        return "lm" if dimension[ANGLE_AT] == 2 else "cd"
-    return ""
+        head = "W" if dimension[TIME_AT] == -3 else "J"
+    elif dimension[LUMINOSITY_AT] == 1:
+        head = "lm" if dimension[ANGLE_AT] == 2 else "cd"
+    elif dimension[COUNT_AT] == 1 and dimension[WEIGHT_AT]:
+        return f"photon_{suffix}" if (suffix := weight_of(dimension)) else ""
+    suffix = weight_of(dimension)
+    return f"{head}_{suffix}" if head and suffix else head
 
 
 # Of a temperature times or over a number or another one, which its reciprocal would give unlike.
