@@ -27,6 +27,8 @@ CONDITIONS = {
     "observer": REFINES,
     "range": REFINES,
     "photon-range": REFINES,
+    "weight": REFINES,
+    "dark-outside": REFINES,
     "time": TIME,
     "photoperiod": TIME,
     "area": AREA,

@@ -8,6 +8,7 @@ from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
 from radcalc.inputs import Input, Inputs, require
 from radcalc.quantities import (
+    FLUX,
     KIND_NAMES,
     LUMINOUS,
     NONE,
@@ -18,25 +19,29 @@ from radcalc.quantities import (
     PHOTON,
     PHOTON_NAMES,
     RADIANT,
-    RATIOS,
     Reading,
+    base_of,
+    describe,
     is_per_length,
+    kind_of_observer,
+    kinds,
     name_of,
+    ratio_of,
+    ratio_unit,
 )
 from radcalc.quantities.symbols import EFFICACIES
+from radcalc.spectra import weights
 from radcalc.spectra.observers import (
     LIGHT,
-    OBSERVERS,
     PLANCK,
     TRAPEZOIDS,
     Observer,
-    bounds,
     luminous_efficacy,
-    ratio_text,
     standard_air_wavelength,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import Dimension, Photosynthetic
+from radcalc.units import Dimension, Photosynthetic, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import (
     COHERENT,
     ENERGY,
@@ -48,23 +53,21 @@ from radcalc.units.dimensions import (
 from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from radcalc.conversion.bridge import Bridge, Links
     from radcalc.spectra.spectrum import Spectrum
 
 
-COUNTED = {RADIANT: "watts", LUMINOUS: "lumens", PHOTON: "photon flux"}
 NARROW = 0.1  # largest relative width of a small band, with an error of 0.3 % of the width
 
 
 class Light(NamedTuple):
-    """Light of one wavelength: in vacuum for photons, in standard air for eye response tables."""
+    """Light of one wavelength: in vacuum for photons, in standard air for tables of weights."""
 
     given: Input
     vacuum: Any
     table: Any
-    observer: Observer
 
     @property
     def photon_energy(self) -> Any:
@@ -72,19 +75,18 @@ class Light(NamedTuple):
         return PLANCK * LIGHT / self.vacuum
 
 
-def light(given: Input, observer: Input | None) -> Light:
+def light(given: Input) -> Light:
     """Return the light of a wavelength, frequency, wavenumber or photon energy."""
     value = given.value
-    seen_by = OBSERVERS[observer.value if observer else "photopic"]
     if given.dimension == LENGTH:
-        return Light(given, value, value, seen_by)
+        return Light(given, value, value)
     if given.dimension == FREQUENCY:
         vacuum = LIGHT / value
     elif given.dimension == WAVENUMBER:
         vacuum = 1 / value
     else:
         vacuum = PLANCK * LIGHT / value
-    return Light(given, vacuum, standard_air_wavelength(vacuum), seen_by)
+    return Light(given, vacuum, standard_air_wavelength(vacuum))
 
 
 VACUUM = "{} is a vacuum wavelength (it differs by 3e-4 in air)"
@@ -92,65 +94,109 @@ VACUUM = "{} is a vacuum wavelength (it differs by 3e-4 in air)"
 
 def kind_factor(of: Light, over: str, under: str) -> Factor:
     """Return the ratio of two kinds, over / under, at one wavelength."""
-    given, energy = of.given, of.photon_energy
-    is_length = given.dimension == LENGTH
+    kinds = over, under
+    tables = [kind for kind in kinds if kind not in (RADIANT, PHOTON)]
+    counted = [kind for kind in kinds if base_of(kind) == PHOTON]
+    values: dict[str, Any] = {RADIANT: 1.0}
     assumption = ""
     notes: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
-    efficacy: Any = None
-    if LUMINOUS in (over, under):
-        efficacy = luminous_efficacy(of.table, of.observer)
-        if not is_length:
-            assumption = f"{given.text} is {format_number(of.table * 1e9)} nm in standard air"
-        elif PHOTON not in (over, under):
-            curve = of.observer.label.partition(" ")[0]
-            assumption = f"{curve} is read at {given.text}, whether in air or in vacuum"
-        if maths.any_true(efficacy == 0):
-            notes = (
-                f"{given.text_where(efficacy == 0)} is invisible: the table spans "
-                f"{of.observer.start}-{of.observer.end} nm",
-            )
-        steps = (efficacy_step(efficacy, of.observer),)
-        notes += _of_other_eye(of.observer)
-    if PHOTON in (over, under):
-        from radcalc.laws import optics
-        from radcalc.spectra.spectrum import OUTSIDE, PAR
+    for kind in tables:
+        value, step, note = _by_table(of, kind)
+        values[kind] = value
+        notes += note
+        steps += (step,)
+    if tables and of.given.dimension != LENGTH:
+        assumption = f"{of.given.text} is {format_number(of.table * 1e9)} nm in standard air"
+    elif tables and not counted:
+        curves = " and ".join([_curve(kind) for kind in tables])
+        are = "is" if len(tables) == 1 else "are"
+        assumption = f"{curves} {are} read at {of.given.text}, whether in air or in vacuum"
+    if counted:
+        further, step, note = _of_photons(of, plain=PHOTON in kinds)
+        assumption = "; ".join(filter(None, [assumption, further]))
+        steps += (step,)
+        notes += note
+        energy = of.photon_energy
+        values |= {kind: values.get(kind, 1.0) / energy for kind in counted}
+    for kind in kinds:
+        if maths.any_true(values[kind] == 0) and kind == under:
+            raise _unseen(of, kind)
+    symbol, value = _ratio_at(of, over, under, values)
+    return Factor(symbol, value, ratio_unit(over, under), assumption, steps, notes)
 
-        energy_text = f"{format_number(energy)} J"
-        steps += (optics.PHOTON_ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
-        photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
-        vacuum_text = VACUUM.format(given.text) if is_length else photons
-        assumption = "; ".join(filter(None, [assumption, vacuum_text]))
-        low, high = (end * 1e-9 for end in PAR)
-        outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
-        if maths.any_true(outside):
-            notes += (f"{given.text_where(outside)} {OUTSIDE}",)
-    unit = KIND_UNITS[over, under]
-    if LUMINOUS not in (over, under):
-        symbol, value = "Q", energy
-        forward = over == RADIANT
-    elif PHOTON not in (over, under):
-        symbol, value = "K", efficacy
-        forward = over == LUMINOUS
+
+def _ratio_at(of: Light, over: str, under: str, values: dict[str, Any]) -> tuple[str, Any]:
+    """Return the letters and the value of a ratio of kinds at one wavelength."""
+    energy = of.photon_energy
+    if {over, under} == {RADIANT, PHOTON}:
+        return ("Q", energy) if over == RADIANT else ("(1/Q)", 1 / energy)
+    eyes = [base_of(kind) == LUMINOUS for kind in (over, under)]
+    if eyes[0] and under in (RADIANT, PHOTON):
+        return ("K", values[over]) if under == RADIANT else ("(K Q)", values[over] * energy)
+    if eyes[1] and over in (RADIANT, PHOTON):
+        if over == RADIANT:
+            return "(1/K)", 1 / values[under]
+        return "(1/(K Q))", 1 / (values[under] * energy)
+    return "k", values[over] / values[under]
+
+
+def _curve(kind: str) -> str:
+    eye = weights.observer_of(kind)
+    return eye.label.partition(" ")[0] if eye else f"w({KIND_NAMES[kind]})"
+
+
+def _by_table(of: Light, kind: str) -> tuple[Any, Step, tuple[str, ...]]:
+    """Return the light of a kind in a watt or a photon of one wavelength, by its table."""
+    if eye := weights.observer_of(kind):
+        value = luminous_efficacy(of.table, eye)
+        step, ends = efficacy_step(value, eye), (eye.start, eye.end)
+        absent = f"is invisible: the table spans {ends[0]}-{ends[1]} nm"
     else:
-        symbol, value = "(K Q)", efficacy * energy
-        forward = over == LUMINOUS
-    if not forward:
-        if maths.any_true(value == 0):
-            raise errors.ConditionError(
-                f"{quote(given.text)} is invisible: watts or photons cannot be calculated from "
-                "a luminous quantity",
-                f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
-            )
-        symbol, value = f"(1/{symbol})", 1 / value
-    return Factor(symbol, value, unit, assumption, steps, notes)
+        own = weights.weight(kind)
+        value = own.at(of.table * 1e9)
+        formula = Formula("weight of one wavelength", f"w = {_curve(kind)}", own.described)
+        step = formula.with_numbers(f"w = {format_number(value)}")
+        absent = "has no {} light: the weight spans {:g}-{:g} nm".format(
+            KIND_NAMES[kind], *own.range
+        )
+    dark = value == 0
+    notes = (f"{of.given.text_where(dark)} {absent}",) if maths.any_true(dark) else ()
+    return value, step, notes
 
 
-def _of_other_eye(observer: Observer) -> tuple[str, ...]:
-    """Return the note on lumens that are not those of V(lambda); none on those of V(lambda)."""
-    if observer is OBSERVERS["photopic"]:
-        return ()
-    return (f"lumens by {observer.label} do not add to lumens by V(lambda)",)
+def _of_photons(of: Light, *, plain: bool) -> tuple[str, Step, tuple[str, ...]]:
+    """Return the assumption, the step and the notes on photons of one wavelength."""
+    from radcalc.laws import optics
+    from radcalc.spectra.spectrum import OUTSIDE, PAR
+
+    given = of.given
+    energy_text = f"{format_number(of.photon_energy)} J"
+    step = optics.PHOTON_ENERGY.formula.step({"wavelength": of.vacuum}, energy_text)
+    photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
+    vacuum_text = VACUUM.format(given.text) if given.dimension == LENGTH else photons
+    low, high = (end * 1e-9 for end in PAR)
+    outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
+    is_outside = plain and maths.any_true(outside)
+    notes = (f"{given.text_where(outside)} {OUTSIDE}",) if is_outside else ()
+    return vacuum_text, step, notes
+
+
+def _unseen(of: Light, kind: str) -> errors.ConditionError:
+    """Return the error for light of a wavelength at which a kind has none."""
+    eye = weights.observer_of(kind)
+    if eye is None:
+        own = weights.weight(kind)
+        return errors.ConditionError(
+            f"{quote(of.given.text)} has no {KIND_NAMES[kind]} light, from which other light "
+            "cannot be calculated",
+            "a wavelength from {:g}nm to {:g}nm".format(*own.range),
+        )
+    return errors.ConditionError(
+        f"{quote(of.given.text)} is invisible: watts or photons cannot be calculated from "
+        "a luminous quantity",
+        f"a wavelength from {eye.start}nm to {eye.end}nm",
+    )
 
 
 def efficacy_step(efficacy: Any, observer: Observer) -> Step:
@@ -163,83 +209,135 @@ def efficacy_step(efficacy: Any, observer: Observer) -> Step:
     ).with_numbers(f"K = {observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W")
 
 
-def spectral_factor(
-    given: Input,
-    over: str,
-    under: str,
-    limits: Input | None,
-    photon_limits: Input | None,
-    observer: Input | None,
-) -> Factor:
+def in_kinds(
+    source: Unit, target: Unit, given: "Sequence[Input]"
+) -> tuple[Unit, Unit, list[Input]]:
+    """Return units in the kinds of an observer and of a weight, and the other conditions.
+
+    The lumens of a call are those of its observer; the weight is that of the target.
+    Raises Unused for an observer without lumens, or a weight of other light than the target's.
+    """
+    for condition in given:
+        if condition.name == "observer":
+            kind = kind_of_observer(condition.value)
+            source, target = kinds.as_seen(source, kind), kinds.as_seen(target, kind)
+            given = [_efficacy_as_seen(one, kind) for one in given]
+            lumens = [one.unit for one in given if one.name == "efficacy" and one.unit]
+            if not any(kinds.is_seen(unit, kind) for unit in (source, target, *lumens)):
+                raise errors.Unused(["observer"], "without lumens")
+        elif condition.name == "weight":
+            target = kinds.weighted(target, condition.value)
+            if not kinds.is_seen(target, condition.value):
+                where = f"to {describe(target)}"
+                raise errors.Unused(["weight"], where)
+    others = [one for one in given if one.name not in ("observer", "weight")]
+    return source, target, others
+
+
+def _efficacy_as_seen(given: Input, kind: str) -> Input:
+    """Return an efficacy of lumens as that of the lumens of an observer's kind."""
+    if given.name != "efficacy" or given.unit is None:
+        return given
+    unit = kinds.as_seen(given.unit, kind)
+    return given._replace(unit=unit, dimension=unit.dimension)
+
+
+class Refined(NamedTuple):
+    """The inputs that refine a spectrum: the ranges of watts and photons, and darkness outside."""
+
+    limits: Input | None = None
+    photon_limits: Input | None = None
+    dark: Input | None = None
+
+
+def spectral_factor(given: Input, over: str, under: str, refined: Refined) -> Factor:
     """Return the ratio of two kinds, over / under, of a whole spectrum."""
     from radcalc.spectra import contents
 
     source: Spectrum = given.value
-    seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    ranges = [given_range and given_range.value for given_range in (limits, photon_limits)]
-    counted = contents.Counts(source, seen_by, *ranges)
+    ranges = [one and one.value for one in refined[:2]]
+    counted = contents.Counts(source, *ranges, is_dark_outside=refined.dark is not None)
     remarks = [source.described]
     for kind in (over, under):
-        if kind != LUMINOUS:
+        if kind in counted.ranges:
             remarks.append(f"{contents.NAMES[kind]} counted over {counted.over(kind)}")
+        elif limits := weights.range_of(kind):
+            remarks.append("{} weight over {:g}-{:g} nm".format(KIND_NAMES[kind], *limits))
     amounts = {kind: counted.amount(kind) for kind in (over, under)}
-    if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
+    if not all(amount > 0 or kind not in (under, *counted.ranges) for kind, amount in amounts.items()):
         spectrum_text = option("spectrum", quote(given.text))
         known_range = f"; it is known over {counted.known}" if counted.known else ""
         raise errors.ConditionError(
             f"{spectrum_text} has no light to count there: {'; '.join(remarks[1:])}{known_range}",
             "another spectrum or range",
-            [errors.leave_out(given.name) for given in (limits, photon_limits) if given],
+            [errors.leave_out(one.name) for one in refined[:2] if one],
         )
     if problem := counted.impossible(over, under):
         raise problem
     value = amounts[over] / amounts[under]
-    names = {
-        RADIANT: "int(S)",
-        LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
-        PHOTON: "int(S lambda/(h c))",
-    }
-    below = f"({names[under]})" if " int" in names[under] else names[under]
-    formula = Formula(
-        f"{COUNTED[over]} per {COUNTED[under].removesuffix('s')} in a spectrum",
-        f"K = {names[over]} / {below}",
-        f"{TRAPEZOIDS}; {seen_by.described}" if LUMINOUS in amounts else TRAPEZOIDS,
-    )
-    top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
-    in_words = ratio_text(amounts[top] / amounts[bottom], top, bottom)
-    ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
-    step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {in_words}")
+    step, in_words = _spectral_step(amounts, over, under)
     remarks.insert(1, in_words)
-    notes = source.notes + tuple(counted.notes((over, under)) + counted.left_out((over, under)))
-    if LUMINOUS in amounts:
-        notes += _of_other_eye(seen_by)
-    if LUMINOUS in amounts and not amounts[LUMINOUS]:
-        notes += ("this spectrum is invisible",)
-    return Factor("K", value, KIND_UNITS[over, under], "; ".join(remarks), (step,), notes)
+    kinds = over, under
+    notes = source.notes + tuple(counted.notes(kinds) + counted.left_out(kinds))
+    notes += tuple(
+        [
+            "this spectrum is invisible"
+            if kind == LUMINOUS
+            else f"this spectrum has no {contents.name_of(kind)}"
+            for kind in kinds
+            if not amounts[kind]
+        ]
+    )
+    if refined.dark:
+        notes += (f"{source.label} is taken as dark outside its data",)
+    return Factor("K", value, ratio_unit(over, under), "; ".join(remarks), (step,), notes)
+
+
+def _spectral_step(amounts: dict[str, float], over: str, under: str) -> tuple[Step, str]:
+    """Return the step of a ratio of kinds in a spectrum, and the ratio in words."""
+    from radcalc.spectra import contents
+
+    names, sources = {}, [TRAPEZOIDS]
+    for kind in (over, under):
+        names[kind] = {RADIANT: "int(S)", PHOTON: "int(S lambda/(h c))"}.get(kind, "")
+        if eye := weights.observer_of(kind):
+            names[kind] = f"{eye.constant} int(S {eye.label.split('(')[0]})"
+            sources.append(eye.described)
+        elif not names[kind]:
+            own = weights.weight(kind)
+            by_energy = " lambda/(h c)" if own.acts_on == PHOTON else ""
+            names[kind] = f"int(S {_curve(kind)}{by_energy})"
+            sources.append(own.described)
+    below = f"({names[under]})" if " int" in names[under] else names[under]
+    counted = {kind: "photon flux" if kind == PHOTON else contents.name_of(kind) for kind in names}
+    formula = Formula(
+        f"{counted[over]} per {counted[under].removesuffix('s')} in a spectrum",
+        f"K = {names[over]} / {below}",
+        "; ".join(sources),
+    )
+    is_usual = (over, under) in SHOWN or (over in WEIGHTS and (under, over) not in SHOWN)
+    top, bottom = (over, under) if is_usual else (under, over)
+    in_words = weights.ratio_text(amounts[top] / amounts[bottom], top, bottom) if amounts[bottom] else ""
+    value = format_number(amounts[over] / amounts[under])
+    ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
+    return formula.with_numbers(f"K = {ratio} = {value}; that is {in_words}"), in_words
 
 
 SHOWN = [(over, under) for _, over, under in EFFICACIES]
 
 
+def refined_by(given: Inputs) -> Refined:
+    """Return the inputs among others that refine a spectrum."""
+    return Refined(*map(given.get, ("range", "photon-range", "dark-outside")))
+
+
 def linked(given: Inputs, over: str, under: str) -> Factor | None:
     """Return the ratio of two kinds, over / under, by the input that links them, or None."""
-    observer = given.get("observer")
     if "wavelength" in given:
-        return kind_factor(light(given["wavelength"], observer), over, under)
+        return kind_factor(light(given["wavelength"]), over, under)
     if "spectrum" in given:
-        ranges = given.get("range"), given.get("photon-range")
-        return spectral_factor(given["spectrum"], over, under, *ranges, observer)
-    return given_ratio(given["efficacy"], over, under, observer) if "efficacy" in given else None
-
-
-KIND_UNITS = {
-    (LUMINOUS, RADIANT): "lm/W",
-    (RADIANT, LUMINOUS): "W/lm",
-    (PHOTON, RADIANT): "photon/J",
-    (RADIANT, PHOTON): "J/photon",
-    (LUMINOUS, PHOTON): "lm s/photon",
-    (PHOTON, LUMINOUS): "photon/(lm s)",
-}
+        return spectral_factor(given["spectrum"], over, under, refined_by(given))
+    return given_ratio(given["efficacy"], over, under) if "efficacy" in given else None
 
 
 PART_OF_LIGHT = (
@@ -267,42 +365,42 @@ AS_IN_AIR = 1.0003  # wavelengths in vacuum over those in air
 USUAL_UNITS = dict(zip(SHOWN, ("lm/W", "umol/J", "lm.s/umol"), strict=True))
 
 
-def given_ratio(
-    given: Input, over: str, under: str, observer: Input | None, ppfd: str = ""
-) -> Factor | None:
+def given_ratio(given: Input, over: str, under: str, ppfd: str = "") -> Factor | None:
     """Return a given efficacy as over / under, or None if it links two other kinds.
 
     `ppfd` is the word for photons from 400 nm to 700 nm only, if there is one.
     """
     value = given.value
-    pairs = {dimension: pair for pair, dimension in RATIOS.items()}
-    pair = pairs[given.dimension]
-    seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    notes = _bounded(given, pair, seen_by, ppfd)
+    pair = ratio_of(given.dimension)
+    assert pair is not None
+    notes = _bounded(given, pair, ppfd)
     text = f"an efficacy of {given.text}, as given"
-    if observer and LUMINOUS in pair:
-        text += f", by {seen_by.label}"
     if pair == (over, under):
-        return Factor("K", value, KIND_UNITS[over, under], text, notes=notes)
+        return Factor("K", value, ratio_unit(over, under), text, notes=notes)
     if pair == (under, over):
-        return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text, notes=notes)
+        return Factor("(1/K)", 1 / value, ratio_unit(over, under), text, notes=notes)
     return None
 
 
-def _bounded(given: Input, pair: tuple[str, str], seen_by: Observer, ppfd: str) -> tuple[str, ...]:
+def _bounded(given: Input, pair: tuple[str, str], ppfd: str) -> tuple[str, ...]:
     """Refuse an efficacy that no light has; return notes on what its light or its watts are."""
-    kinds, ratio = (pair, given.value) if pair in SHOWN else (pair[::-1], 1 / given.value)
-    _, most = bounds(*kinds, seen_by, (0.0, LONGEST))
+    is_usual = (base_of(pair[0]), base_of(pair[1])) in SHOWN or pair[0] in WEIGHTS
+    kinds, ratio = (pair, given.value) if is_usual else (pair[::-1], 1 / given.value)
+    _, most = weights.bounds(*kinds, (0.0, LONGEST))
     is_beyond = maths.any_true(ratio > most * (1 + 1e-12))
     if PHOTON not in kinds:
         if is_beyond and pair == (RADIANT, LUMINOUS):  # 75 uW/lm, the UV of museums
             return (PART_OF_LIGHT.format(given.text, most),)
         if is_beyond:
             raise _impossible(given, kinds, 0.0, most)
-        return (PER_WATT_OF_LIGHT.format(given.text),)
+        return (PER_WATT_OF_LIGHT.format(given.text),) if RADIANT in kinds else ()
+    if not {*kinds} <= {RADIANT, LUMINOUS, PHOTON}:
+        if is_beyond:
+            raise _impossible(given, kinds, 0.0, most)
+        return ()
     from radcalc.spectra.spectrum import PAR
 
-    low, high = bounds(*kinds, seen_by, PAR)
+    low, high = weights.bounds(*kinds, PAR)
     has_watts = RADIANT in kinds  # which may be those of other light, too
     outside = ratio > high * AS_IN_AIR if has_watts else ratio < low / AS_IN_AIR
     is_outside = maths.any_true(outside)
@@ -318,8 +416,8 @@ def _bounded(given: Input, pair: tuple[str, str], seen_by: Observer, ppfd: str) 
 
 
 def _range_text(low: float, high: float, kinds: tuple[str, str]) -> str:
-    first = f"{ratio_text(low, *kinds).partition(' ')[0]} to " if low else "up to "
-    return first + ratio_text(high, *kinds)
+    first = f"{weights.ratio_text(low, *kinds).partition(' ')[0]} to " if low else "up to "
+    return first + weights.ratio_text(high, *kinds)
 
 
 def _impossible(
@@ -327,11 +425,11 @@ def _impossible(
 ) -> errors.Impossible:
     """Return the error for an efficacy out of limits, with its number in the usual unit if in."""
     limit = _range_text(low, high, kinds)
-    because = f"no light gives more than {ratio_text(high, *kinds)}"
+    because = f"no light gives more than {weights.ratio_text(high, *kinds)}"
     if ppfd:
         because = f"{quote(ppfd)} counts photons from 400 nm to 700 nm, whose light gives {limit}"
         low, limit = (0.0, _range_text(0.0, high, kinds)) if RADIANT in kinds else (low, limit)
-    unit = resolve(USUAL_UNITS[kinds])
+    unit = resolve(USUAL_UNITS.get(kinds) or f"({ratio_unit(*kinds)})")
     nearest = ""
     if isinstance(given.number, float) and low <= given.number * unit.factor <= high:
         nearest = f"{given.number:.12g}{unit.text}"
@@ -414,7 +512,7 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
     assumption = f"a width that is small compared with {given.text}, the place of its band"
     if given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(given.text)
-    of = light(given, None)
+    of = light(given)
     factor = jacobian(of, start, end)._replace(assumption=assumption)
 
     def check(value: Any) -> None:
@@ -482,12 +580,12 @@ def _refuse_other_photons(bridge: "Bridge", unit: Photosynthetic, links: "Links"
 
 
 def _wavelength(bridge: "Bridge") -> Light | None:
-    """Return the given wavelength or None, marked as used, with its observer."""
+    """Return the given wavelength or None, marked as used."""
     given = bridge.conditions.given.get(LINK)
     if given is None or given.name != "wavelength":
         return None
     bridge.conditions.used.add(LINK)
-    return light(given, bridge.conditions.given.get("observer"))
+    return light(given)
 
 
 def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
@@ -496,8 +594,6 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
         return []
     of = _wavelength(bridge)
     if of is not None:
-        if LUMINOUS in (start.kind, end.kind):
-            bridge.conditions.use("observer")
         return [(kind_factor(of, end.kind, start.kind), 1)]
     given = bridge.conditions.use(LINK)
     if given is None:
@@ -506,15 +602,16 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
         return []
     if given.name == "spectrum":
         return [(_of_spectrum(bridge, given, start, end), 1)]
-    seen_by = bridge.conditions.use("observer") if LUMINOUS in (start.kind, end.kind) else None
     units = bridge.source, bridge.target
     ppfd = "".join([unit.name for unit in units if isinstance(unit, Photosynthetic)][:1])
-    factor = given_ratio(given, end.kind, start.kind, seen_by, ppfd)
+    factor = given_ratio(given, end.kind, start.kind, ppfd)
     if factor is None:
         both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
+        usual = frozenset(map(base_of, (start.kind, end.kind)))
+        example = EXAMPLES[usual] if usual in EXAMPLES and start.kind in FLUX else ""
         raise errors.ConditionError(
             f"{option('efficacy', given.text)} does not link {both} quantities",
-            option("efficacy", EXAMPLES[frozenset((start.kind, end.kind))]),
+            option("efficacy", example or f"1{ratio_unit(end.kind, start.kind)}"),
         )
     return [(factor, 1)]
 
@@ -532,14 +629,18 @@ def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
             errors.Try((("wavelength", ""),), ("spectrum",)),
         )
-    return spectral_factor(given, end.kind, start.kind, *_refinements(bridge, start, end))
+    return spectral_factor(given, end.kind, start.kind, _refinements(bridge, start, end))
 
 
-def _refinements(bridge: "Bridge", start: Reading, end: Reading) -> list[Input | None]:
-    """Return the ranges of watts and photons, and the observer, marked as used."""
+def _refinements(bridge: "Bridge", start: Reading, end: Reading) -> Refined:
+    """Return the ranges of watts and photons, and darkness beside a weight, marked as used."""
     both, use = {start.kind, end.kind}, bridge.conditions.use
-    needed = (("range", RADIANT), ("photon-range", PHOTON), ("observer", LUMINOUS))
-    return [use(name) if kind in both else None for name, kind in needed]
+    is_weighted = any(kind in WEIGHTS for kind in both)
+    return Refined(
+        use("range") if RADIANT in both else None,
+        use("photon-range") if PHOTON in both else None,
+        use("dark-outside") if is_weighted else None,
+    )
 
 
 def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":

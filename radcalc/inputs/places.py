@@ -362,7 +362,16 @@ def _is_length(text: str) -> bool:
         return False
 
 
+def weight_input(symbol: Symbol, value: Any) -> Input:
+    """Read the name of a weight, or a file with one; its value is its kind."""
+    from radcalc.spectra.weights import kind_of
+
+    text = str(value).strip()
+    return Input(symbol, text, kind_of(text))
+
+
 READERS = {
+    symbols.WEIGHT: weight_input,
     symbols.POINT: point_input,
     symbols.VECTOR: vector_input,
     symbols.GRID: grid_input,

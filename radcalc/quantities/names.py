@@ -24,9 +24,11 @@ from radcalc.quantities import (
     PER_WAVENUMBER,
     PHOTON,
     RADIANT,
+    base_of,
     is_per_length,
     name_of,
     read,
+    with_suffix,
 )
 from radcalc.units import Dimension, Unit
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
@@ -50,13 +52,19 @@ class Quantity(NamedTuple):
         return (self.names(language) or self.names("en"))[0]
 
 
-def data_rows(name: str, folder: str = "quantities/data") -> list[list[str]]:
-    """Return the rows of a table of the package, below remarks and titles, with all their cells."""
+def data_rows(
+    name: str, folder: str = "quantities/data", titles: bool = False
+) -> list[list[str]]:
+    """Return the rows of a table of the package, below remarks and titles, with all their cells.
+
+    With `titles` it is the row of titles alone.
+    """
     path = os.path.join(os.path.dirname(os.path.dirname(__file__)), folder, f"{name}.tsv")
     with open(path, encoding="utf-8") as file:
         lines = [line.rstrip("\n") for line in file if line[0] != "#"]
     count = lines[0].count("\t")
-    return [(line + "\t" * (count - line.count("\t"))).split("\t") for line in lines[1:]]
+    chosen = lines[:1] if titles else lines[1:]
+    return [(line + "\t" * (count - line.count("\t"))).split("\t") for line in chosen]
 
 
 QUANTITIES = tuple([Quantity(*row) for row in data_rows("quantities")])
@@ -170,15 +178,17 @@ def composed(unit: Unit) -> list[str]:
     reading = read(unit)
     if reading is None or reading.retinal:
         return list(COMPOSED.get(name_of(unit), ()))
-    heads: tuple[str, ...] = HEADS[reading.kind, reading.time]
+    base = base_of(reading.kind)
+    heads: tuple[str, ...] = HEADS[base, reading.time]
     per_angle = "/sr" if reading.solid_angle else ""
-    per_time = "/s" if reading.kind == PHOTON and not reading.time else ""
-    if reading.kind == LUMINOUS and reading.solid_angle:
+    per_time = "/s" if base == PHOTON and not reading.time else ""
+    if base == LUMINOUS and reading.solid_angle:
         heads, per_angle = CANDELAS[reading.time], ""
     areas = [(head, area) for head in heads for area in AREAS[reading.area]]
     areas += [(heads[0], area) for area in CUSTOMARY_AREAS[reading.area]]
     axes = PER_LENGTH if is_per_length(unit) else AXES[reading.axis]
-    return [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
+    products = [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
+    return [with_suffix(text, reading.kind) for text in products]
 
 
 def units_of(unit: Unit) -> list[str]:

@@ -20,10 +20,12 @@ from radcalc.quantities import (
     OTHERS,
     PER_WAVELENGTH,
     Reading,
+    base_of,
     is_per_length,
     light_dimension,
     name_of,
     read,
+    with_suffix,
 )
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import (
@@ -40,6 +42,9 @@ from radcalc.quantities.names import (
 )
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.units import NUMBER, Exitance, Unit, table
+from radcalc.units.catalogue import CATALOGUE
+from radcalc.units.compiled import QUANTITIES as QUANTITIES_OF_UNITS
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.languages import bare
 from radcalc.units.table import resolve, suggest, unit_of
@@ -124,7 +129,7 @@ def search(text: str) -> list[Found]:
 class Other(NamedTuple):
     """A quantity outside the vocabulary of light: a length, an efficacy, a density.
 
-    `unit` has its dimension and no text.
+    `unit` has its dimension, and no text but for a quantity with a unit of its own: UV index, UVI.
     """
 
     names: tuple[str, ...]
@@ -167,6 +172,10 @@ def _other_quantities() -> Iterator[Other]:
         for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
             name = Reading(kind, *geometry, axis).name.partition(" (")[0]
             yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
+    for own, name in QUANTITIES_OF_UNITS.items():
+        symbols = CATALOGUE[own][0]
+        shorter = name.replace("melanopic", "mel").replace(" (", " ").rstrip(")")
+        yield Other((name, shorter), resolve((symbols or (own,))[0]))
     yield Other(("wavelength", *names_elsewhere("wavelength")), Unit("", 1, 1, LENGTH, ()))
 
 
@@ -411,6 +420,12 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
     matches = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
     if matches := [f for f in matches if "λ" not in f.quantity.symbol]:
         return [_target(f.quantity, f.note) for f in matches]
+    if kind := {comparable(row[0]): suffix for suffix, row in WEIGHTS.items()}.get(folded):
+        reading = read(source) if source else None
+        geometry = reading.geometry if reading else (0, 1, 0)
+        text = LIGHT_UNITS.get(geometry, LIGHT_UNITS[0, 1, 0])[0][KINDS.index(base_of(kind))]
+        unit = with_suffix(text, kind)
+        return [Target(name_of(resolve(unit)), unit)]
     other = index().others.get(folded)
     target = _other_target(other) if other else None
     return [target] if target else []
@@ -437,7 +452,7 @@ def _target(quantity: Quantity, note: str = "") -> Target:
     reading = read(resolve(quantity.unit))
     unit = quantity.unit
     if reading and not reading.axis and not reading.retinal:
-        unit = LIGHT_UNITS[reading.geometry][0][KINDS.index(reading.kind)]
+        unit = with_suffix(LIGHT_UNITS[reading.geometry][0][KINDS.index(base_of(reading.kind))], reading.kind)
     name = quantity.name(ENGLISH)
     return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
 
@@ -445,6 +460,8 @@ def _target(quantity: Quantity, note: str = "") -> Target:
 def _other_target(other: Other) -> Target | None:
     """Return a quantity outside the vocabulary of light and its unit of display, or None."""
     name, dimension = other.names[0], other.unit.dimension
+    if other.unit.text:
+        return Target(name, other.unit.text)
     symbol = SYMBOLS.get(name.replace(" ", "-"))
     units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
     usual = next((u for u in units if u and resolve(u).dimension == dimension), None)

@@ -6,6 +6,8 @@ own way.
 """
 
 import math
+from functools import cache
+from typing import Any
 
 from radcalc.quantities import (
     EXITANCES,
@@ -18,10 +20,17 @@ from radcalc.quantities import (
     PHOTON_NAMES,
     RADIANT,
     RATIOS,
+    base_of,
+    in_a_kind,
+    in_words,
     light_dimension,
+    place_of,
+    ratio_of,
+    with_suffix,
 )
 from radcalc.tuples import NamedTuple
 from radcalc.units import NUMBER, Dimension, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
@@ -73,12 +82,29 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # far beyond any cam
 
 # Forms of a symbol's value.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
+WEIGHT = "weight"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
 POINT, VECTOR, GRID = "point", "vector", "grid"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
 NUMBERS = "numbers"  # as many as in the example
 PAIR = "pair"  # of whole numbers, within the limits
 UNIT, WORD = "unit", "word"
+
+
+class InKinds(tuple[Dimension, ...]):
+    """The dimensions of a light quantity, or of a ratio of kinds; those of weights are in it, too."""
+
+    __slots__ = ()
+
+    def __contains__(self, dimension: object) -> bool:
+        """Return whether a dimension is one of these, or the same quantity in a weighted kind."""
+        if super().__contains__(dimension):
+            return True
+        if not isinstance(dimension, tuple) or not dimension[-1]:
+            return False
+        if ratio_of(self[0]):
+            return ratio_of(dimension) is not None
+        return bool(place_of(dimension)) and super().__contains__(in_a_kind(dimension)[0])
 
 
 class Symbol(NamedTuple):
@@ -131,7 +157,7 @@ def _symbol(
     return Symbol(
         name,
         letter,
-        (dimension, *also),
+        (InKinds if ratio_of(dimension) else tuple)((dimension, *also)),
         example,
         help_,
         limits,
@@ -217,6 +243,10 @@ _ROWS = (
         "Radiant quantities of {spectrum} include only these wavelengths."),
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
         "Photon quantities of {spectrum} include only these wavelengths (default 400nm:700nm)."),
+    _text(WEIGHT, "weight", "a weight", "melanopic",
+        "Weigh the light: a name (melanopic, erythema, blue-light, ypf ...), or a file."),
+    _text(FLAG, "dark-outside", "", "",
+        "Take {spectrum} as dark where its data do not cover a weight."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
         "Width of a band of constant spectral density.",
         also=(FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
@@ -677,8 +707,8 @@ LIGHT_UNITS = {
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
     """Return the unit of display, or the coherent unit, of a light quantity with a generic name."""
     geometry = _LIGHT_ROWS[name][1]
-    text = LIGHT_UNITS[geometry][coherent][KINDS.index(kind)]
-    return "lm/m2" if text == "lx" and name == "exitance" else text
+    text = LIGHT_UNITS[geometry][coherent][KINDS.index(base_of(kind))]
+    return with_suffix("lm/m2" if text == "lx" and name == "exitance" else text, kind)
 
 
 def _of_light(
@@ -687,7 +717,9 @@ def _of_light(
     """Return the row of a light quantity, by its generic name (no kind) or its name of one kind."""
     _, geometry, letter, help_, _ = row
     unit = light_unit(generic, kind or LUMINOUS)
-    dimensions = tuple([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)])
+    dimensions = InKinds([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)])
+    if kind:
+        dimensions = tuple(dimensions)
     label = name.replace("-", " ")
     if kind and help_:
         what, mark, more = help_.partition(";")
@@ -716,9 +748,18 @@ def specific_name(generic: str, kind: str) -> str:
     """Return the name of a light quantity in one kind: flux and luminous give luminous-flux."""
     _, geometry, _, _, pattern = _LIGHT_ROWS[generic]
     if not pattern:
-        return generic if kind == RADIANT else f"{KIND_NAMES[kind]}-{generic}"
+        return generic if kind == RADIANT else _joined(f"{KIND_NAMES[kind]}-{generic}")
     names = EXITANCES if generic == "exitance" else GEOMETRIES[geometry][0]
-    return pattern.format(names[KINDS.index(kind)].replace(" ", "-"))
+    return pattern.format(_joined(in_words(kind, names)))
+
+
+def _joined(name: str) -> str:
+    return name.lower().replace(" ", "-")
+
+
+def of_kind(generic: str, kind: str) -> Symbol:
+    """Return the row of a light quantity in a kind, which may be a weighted one."""
+    return SYMBOLS[specific_name(generic, kind)]
 
 
 def generic_name(name: str) -> str:
@@ -727,8 +768,28 @@ def generic_name(name: str) -> str:
     return symbol.generic or symbol.name if symbol else name
 
 
+class Vocabulary(dict[str, Symbol]):
+    """Symbols by name; those of weighted light (melanopic-irradiance) are made when looked up."""
+
+    def __missing__(self, name: str) -> Symbol:
+        """Return the symbol of a name in a weighted kind."""
+        generic, kind = _weighted_names()[name]
+        return _of_light(name, generic, kind, _LIGHT_ROWS[generic])
+
+    def get(self, name: str, default: Any = None) -> Any:  # type: ignore[override]
+        """Return a symbol, also of weighted light, or the default."""
+        return self[name] if name in self or name in _weighted_names() else default
+
+
+@cache
+def _weighted_names() -> dict[str, tuple[str, str]]:
+    names = [(specific_name(generic, kind), generic, kind)
+             for kind in WEIGHTS for generic in _LIGHT_ROWS]  # fmt: skip
+    return {name: (generic, kind) for name, generic, kind in names}
+
+
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
-SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
+SYMBOLS: dict[str, Symbol] = Vocabulary({symbol.name: symbol for symbol in (*_ROWS, *_INNER)})
 # The intensity that corresponds to 1 in a relative distribution.
 SYMBOLS["scale"] = _of_light("intensity", "intensity", "", _LIGHT_ROWS["intensity"])._replace(
     name="scale", letter="I_1", help="", label="scale"
@@ -758,7 +819,7 @@ EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
-REFINEMENTS = ("observer", "range", "photon-range")  # inputs that only refine a link
+REFINEMENTS = ("observer", "weight", "range", "photon-range", "dark-outside")  # inputs that only refine a link
 
 
 def names_of_kinds(generic: str) -> tuple[str, ...]:

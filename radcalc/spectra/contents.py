@@ -5,9 +5,10 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from radcalc.errors import TooNarrow, option
-from radcalc.quantities import LUMINOUS, PHOTON, RADIANT
+from radcalc.quantities import KIND_NAMES, LUMINOUS, PHOTON, RADIANT, base_of
+from radcalc.spectra import weights
 from radcalc.spectra.column_titles import Meaning
-from radcalc.spectra.observers import AVOGADRO, OBSERVERS, Observer, bounds, ratio_text
+from radcalc.spectra.observers import AVOGADRO, OBSERVERS
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, Table, range_text
 
 Row = tuple[int, str, str]  # line number, wavelength [nm] and value, as written
@@ -91,17 +92,31 @@ RESULTS: Mapping[str, Callable[[Table], float | None]] = {
 
 SLACK = 1 + 1e-9
 REMAINDER = 5e-4  # fraction of the lumens outside a range that needs no note
-NAMES = {RADIANT: "watts", PHOTON: "photons"}
+NAMES = {RADIANT: "watts", LUMINOUS: "lumens", PHOTON: "photons"}
+
+
+def name_of(kind: str) -> str:
+    """Return what a kind counts: watts, lumens, photons, melanopic watts."""
+    own = NAMES[base_of(kind)]
+    return own if kind in NAMES else f"{KIND_NAMES[kind]} {own}"
 
 
 class Counts:
-    """The watts, lumens and photons of a spectrum, computed on demand."""
+    """The watts, lumens, photons and weighted light of a spectrum, computed on demand."""
 
     def __init__(
-        self, source: Spectrum, eye: Observer, limits: Range | None, photon_limits: Range | None
+        self,
+        source: Spectrum,
+        limits: Range | None = None,
+        photon_limits: Range | None = None,
+        *,
+        is_dark_outside: bool = False,
     ) -> None:
-        """The ranges are the usual ones by default, limited to the data."""
-        self.source, self.eye = source, eye
+        """The ranges are the usual ones by default, limited to the data.
+
+        With `is_dark_outside` a weight may extend beyond the data.
+        """
+        self.source, self.is_dark_outside = source, is_dark_outside
         self.given = {RADIANT: limits, PHOTON: photon_limits}
         everywhere = WHOLE if source.counts_all_photons else PAR
         self.asked = {RADIANT: limits or source.limits, PHOTON: photon_limits or everywhere}
@@ -111,12 +126,23 @@ class Counts:
         self._amounts: dict[str, float] = {}
 
     def amount(self, kind: str) -> float:
-        """Return an amount [W, lm or photons/s]."""
+        """Return an amount [W, lm or photons/s].
+
+        Raises ConditionError for a weight that the data do not cover.
+        """
         if kind not in self._amounts:
-            self._amounts[kind] = _count(self.source, kind, self.ranges.get(kind, WHOLE), self.eye)
+            self._amounts[kind] = self._count(kind)
         return self._amounts[kind]
 
+    def _count(self, kind: str) -> float:
+        if kind in self.ranges:
+            return _in_range(self.source, kind, self.ranges[kind])
+        if not self.is_dark_outside:
+            weights.refuse_uncovered(self.source, kind)
+        return weights.count(self.source, kind)
+
     def over(self, kind: str) -> str:
+        """Return the range of the watts or the photons as text; that of a weight, too."""
         return range_text(self.ranges[kind])
 
     @property
@@ -130,12 +156,12 @@ class Counts:
             f"{label} is known over {known}: {NAMES[kind]} are counted over {self.over(kind)}, "
             f"not over {range_text(self.asked[kind])}"
             for kind in kinds
-            if kind != LUMINOUS and self.ranges[kind] != self.asked[kind] and known
+            if kind in self.ranges and self.ranges[kind] != self.asked[kind] and known
         ]
-        if LUMINOUS in kinds and self.amount(LUMINOUS):
-            notes += [
-                note for kind in kinds if self.given.get(kind) and (note := self._unseen(kind))
-            ]
+        for seen in kinds:
+            if base_of(seen) == LUMINOUS and self.amount(seen):
+                unseen = [self._unseen(kind, seen) for kind in kinds if self.given.get(kind)]
+                notes += filter(None, unseen)
         return notes
 
     def left_out(self, kinds: Iterable[str]) -> list[str]:
@@ -143,13 +169,13 @@ class Counts:
         counts_watts = RADIANT in kinds and not self.given[RADIANT]
         return [self.source.left_out] if counts_watts and self.source.left_out else []
 
-    def _unseen(self, kind: str) -> str:
+    def _unseen(self, kind: str, seen: str) -> str:
         part = self.source.part(self.ranges[kind])
-        lumens = _count(part, LUMINOUS, WHOLE, self.eye) if part else 0.0
-        share = lumens / self.amount(LUMINOUS)
+        lumens = weights.count(part, seen) if part else 0.0
+        share = lumens / self.amount(seen)
         if share > 1 - REMAINDER or not self.amount(kind):
             return ""
-        own_ratio = ratio_text(lumens / self.amount(kind), LUMINOUS, kind)
+        own_ratio = weights.ratio_text(lumens / self.amount(kind), seen, kind)
         return (
             f"lumens are counted at all wavelengths: {self.over(kind)} has {100 * share:.3g} % of "
             f"them, which is {own_ratio} of its {NAMES[kind]}"
@@ -157,27 +183,27 @@ class Counts:
 
     def impossible(self, over: str, under: str) -> TooNarrow | None:
         """Return the error for a ratio above that of any light, because of a narrow range."""
-        kinds = {over, under}
-        top = LUMINOUS if LUMINOUS in kinds else PHOTON
-        (bottom,) = kinds - {top}
+        ranged = [kind for kind in (over, under) if kind in self.ranges]
+        if not ranged or base_of(over) == base_of(under):
+            return None
+        bottom = RADIANT if RADIANT in ranged else PHOTON
+        top = under if over == bottom else over
         ratio = self.amount(top) / self.amount(bottom)
         longest = min(self.ranges[PHOTON][1], self.source.longest)
-        _, most = bounds(top, bottom, self.eye, (0.0, longest) if top == PHOTON else WHOLE)
+        _, most = weights.bounds(top, bottom, (0.0, longest) if top == PHOTON else WHOLE)
         if ratio <= most * SLACK:
             return None
-        counted = "that are seen" if top == LUMINOUS else f"of photons over {self.over(PHOTON)}"
+        counted = "that are seen" if top != PHOTON else f"of photons over {self.over(PHOTON)}"
         refine = option("range" if bottom == RADIANT else "photon-range")
         return TooNarrow(
             f"{self.over(bottom)} leaves out most of the {NAMES[bottom]} {counted}: "
-            f"{ratio_text(ratio, top, bottom)} is more than any light gives "
-            f"({ratio_text(most, top, bottom)})",
+            f"{weights.ratio_text(ratio, top, bottom)} is more than any light gives "
+            f"({weights.ratio_text(most, top, bottom)})",
             f"a wider {refine}",
         )
 
 
-def _count(source: Spectrum, kind: str, limits: Range, eye: Observer) -> float:
-    if kind == LUMINOUS:
-        return source.lumens(eye)
+def _in_range(source: Spectrum, kind: str, limits: Range) -> float:
     return source.power(limits) if kind == RADIANT else source.photons(limits)
 
 

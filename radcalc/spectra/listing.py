@@ -10,7 +10,7 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.search import comparable, matching
 from radcalc.spectra.colorimetry import temperature_of
 from radcalc.spectra.contents import Counts
-from radcalc.spectra.observers import AVOGADRO, OBSERVERS
+from radcalc.spectra.observers import AVOGADRO
 from radcalc.spectra.sources import aliases, names
 from radcalc.spectra.sources import spectrum as read_spectrum
 
@@ -110,7 +110,7 @@ def temperature_and_ratio(name: str) -> tuple[float | None, float]:
     (6503, 55.5)
     """
     source = read_spectrum(name)
-    counts = Counts(source, OBSERVERS["photopic"], None, None)
+    counts = Counts(source)
     lux_per_ppfd = counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
     return temperature_of(source), lux_per_ppfd
 

@@ -11,7 +11,6 @@ import math
 from collections.abc import Sequence
 
 from radcalc.maths import Number, is_array, larger, rounded, smaller, square
-from radcalc.quantities import LUMINOUS, PHOTON, RADIANT
 from radcalc.spectra.data.observers import (
     CIE_1964,
     CIE_2008_2,
@@ -184,23 +183,6 @@ def lumens_per_photon(observer: Observer, limits: tuple[float, float]) -> tuple[
     ]
     per_share = observer.maximum * 1e9 * PLANCK * LIGHT
     return min(shares) * per_share, max(shares) * per_share
-
-
-def bounds(
-    top: str, bottom: str, eye: Observer, limits: tuple[float, float]
-) -> tuple[float, float]:
-    """Return the least and the greatest ratio of two kinds, of light within a range."""
-    if PHOTON not in (top, bottom):
-        return 0.0, eye.maximum
-    low, high = limits
-    return (photons(low), photons(high)) if top == PHOTON else lumens_per_photon(eye, limits)
-
-
-def ratio_text(ratio: float, over: str, under: str) -> str:
-    """Return a ratio of kinds in its usual unit: lm/W, umol/J or lm s/umol."""
-    if RADIANT not in (over, under):
-        return f"{ratio * AVOGADRO * 1e-6:.6g} lm s/umol"
-    return f"{ratio:.6g} lm/W" if over == LUMINOUS else f"{ratio / AVOGADRO * 1e6:.6g} umol/J"
 
 
 def standard_air_wavelength(vacuum: Number) -> Number:

@@ -56,11 +56,16 @@ def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> 
     return trapezoid(*clip(grid, values, low, high))
 
 
-def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
+def moments(
+    grid: Grid, values: Grid, start: float, count: int, step: float = 1.0
+) -> list[float]:
     """Return the weights whose sum of products with any weighting is its integral over the table.
 
-    The weighting is linear between `count` whole nanometres from `start`.
+    The weighting is linear between `count` points, `step` nanometres apart, from `start`.
     """
+    if step != 1:
+        places = [x / step for x in grid]
+        return [step * weight for weight in moments(places, values, start / step, count)]
     weights = [0.0] * count
     grid, values = clip(grid, values, start, start + count - 1)
     if not grid:
@@ -73,11 +78,11 @@ def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
             continue
         rise = (y - height) / (end - place)
         while cell + 1 < end:  # the whole nanometres within this step of the data
-            step = cell + 1 - place
-            at_edge = height + rise * step
-            half = 0.5 * step
-            weights[cell] += half * height * step
-            weights[cell + 1] += half * (height * (1 - step) + at_edge)
+            width = cell + 1 - place
+            at_edge = height + rise * width
+            half = 0.5 * width
+            weights[cell] += half * height * width
+            weights[cell + 1] += half * (height * (1 - width) + at_edge)
             cell += 1
             place, height = float(cell), at_edge
         half, share = 0.5 * (end - place), end - cell
@@ -131,7 +136,7 @@ class Spectrum:
         self.label = label
         self.limits = limits
         self.notes = notes
-        self._moments: dict[tuple[int, int], Sequence[float]] = {}
+        self._moments: dict[tuple[float, int, float], Sequence[float]] = {}
 
     @property
     def described(self) -> str:
@@ -141,19 +146,20 @@ class Spectrum:
         """Return the watts between two wavelengths."""
         raise NotImplementedError
 
-    def moments(self, start: int, count: int) -> Sequence[float]:
-        """Return the weights at `count` whole nanometres; see `integrals.moments`."""
-        if (start, count) not in self._moments:
-            weights = self.find_moments(start, count)
-            self._moments[start, count] = array("d", weights)  # small: there may be many spectra
-        return self._moments[start, count]
+    def moments(self, start: float, count: int, step: float = 1.0) -> Sequence[float]:
+        """Return the weights at `count` points, 1 nm apart; see `integrals.moments`."""
+        key = start, count, step
+        if key not in self._moments:
+            weights = self.find_moments(*key)
+            self._moments[key] = array("d", weights)  # small: there may be many spectra
+        return self._moments[key]
 
-    def find_moments(self, start: int, count: int) -> Sequence[float]:
+    def find_moments(self, start: float, count: int, step: float) -> Sequence[float]:
         raise NotImplementedError
 
-    def weigh(self, start: int, weights: Sequence[float]) -> float:
-        """Return the watts weighted by a table at every nanometre from `start`."""
-        total: float = sum(map(mul, self.moments(start, len(weights)), weights))
+    def weigh(self, start: float, weights: Sequence[float], step: float = 1.0) -> float:
+        """Return the watts weighted by a table at every nanometre, or other step, from `start`."""
+        total: float = sum(map(mul, self.moments(start, len(weights), step), weights))
         return total
 
     def seen(self, observer: Observer) -> float:
@@ -240,8 +246,8 @@ class Table(Spectrum):
     def power(self, limits: Range) -> float:
         return integral(self.grid, self.values, *limits)
 
-    def find_moments(self, start: int, count: int) -> Sequence[float]:
-        return moments(self.grid, self.values, start, count)
+    def find_moments(self, start: float, count: int, step: float) -> Sequence[float]:
+        return moments(self.grid, self.values, start, count, step)
 
     def photons(self, limits: Range) -> float:
         """Integrate the product with the wavelength exactly."""
@@ -289,14 +295,15 @@ class Lines(Spectrum):
     def power(self, limits: Range) -> float:
         return sum(watts for _, watts in self._inside(limits))
 
-    def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """Divide a line between the nanometres on both sides of it."""
+    def find_moments(self, start: float, count: int, step: float) -> Sequence[float]:
+        """Divide a line between the points on both sides of it."""
         weights = [0.0] * count
-        for place, watts in self.lines:
-            if start <= place <= start + count - 1:
-                cell = min(int(place - start), count - 2)
-                weights[cell] += watts * (1 - (place - start - cell))
-                weights[cell + 1] += watts * (place - start - cell)
+        for nanometres, watts in self.lines:
+            place = (nanometres - start) / step
+            if 0 <= place <= count - 1:
+                cell = min(int(place), count - 2)
+                weights[cell] += watts * (1 - (place - cell))
+                weights[cell + 1] += watts * (place - cell)
         return weights
 
     def peak(self) -> tuple[float, float | None]:
@@ -338,17 +345,17 @@ class BlackBody(Spectrum):
         low, high = self._within(limits)
         return observers.exitance(self.temperature, low * 1e-9, high * 1e-9)
 
-    def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """Use Planck's law at every nanometre, linear in between."""
-        wavelengths = [(start + i) * 1e-9 for i in range(count)]
-        weights = [1e-9 * y for y in observers.spectral_exitances(wavelengths, self.temperature)]
+    def find_moments(self, start: float, count: int, step: float) -> Sequence[float]:
+        """Use Planck's law at every point, linear in between."""
+        grid = [float(start + step * i) for i in range(count)]
+        exitances = observers.spectral_exitances([1e-9 * x for x in grid], self.temperature)
+        weights = [1e-9 * y for y in exitances]
         if self.known != WHOLE:
-            grid = [float(start + i) for i in range(count)]
             grid, weights = clip(grid, weights, *self.known)
-            return moments(grid, weights, start, count) if grid else [0.0] * count
+            return moments(grid, weights, start, count, step) if grid else [0.0] * count
         weights[0] /= 2
         weights[-1] /= 2
-        return weights
+        return [step * weight for weight in weights]
 
     def peak(self) -> tuple[float, float | None]:
         """Use Wien's law, and the roots of half the peak in x = c2/(lambda T)."""

@@ -858,8 +858,8 @@ WEIGHTS = {
     'par': ('par', 'e', 'PAR'),
     'epar': ('epar', 'p', 'ePAR'),
     'fr': ('far-red', 'p', 'far-red'),
-    'rs': ('red-smith10', 'p', 'red (655 nm to 665 nm)'),
-    'frs': ('far-red-smith10', 'p', 'far-red (725 nm to 735 nm)'),
+    'rs': ('red-smith10', 'p', 'red smith10'),
+    'frs': ('far-red-smith10', 'p', 'far-red smith10'),
     'ypf': ('ypf', 'p', 'yield'),
 }
 QUANTITIES = {
@@ -868,9 +868,8 @@ QUANTITIES = {
     'l_cone_lux': 'L-cone-opic EDI',
     'rhodopic_lux': 'rhodopic EDI',
     'melanopic_lux': 'melanopic EDI',
-    'equivalent_melanopic_lux': 'equivalent melanopic lux (EML)',
+    'equivalent_melanopic_lux': 'equivalent melanopic lux',
     'uv_index': 'UV index',
-    'standard_erythema_dose': 'standard erythema dose',
     'epfd': 'ePAR photon flux density',
     'ypfd': 'yield photon flux density',
 }

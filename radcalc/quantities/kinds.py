@@ -1,0 +1,65 @@
+"""Units in a kind of light that an observer or a weight determines: lm of scotopic eyes, lm_scot."""
+
+from radcalc.errors import Hint, UnitError, correct, quote
+from radcalc.quantities import (
+    KIND_NAMES,
+    LUMINOUS,
+    coherent_text,
+    ratio_of,
+    read,
+    with_suffix,
+)
+from radcalc.units import Unit
+from radcalc.units.compiled import WEIGHTS
+from radcalc.units.table import resolve, unit_of
+
+
+def kind_of(unit: Unit) -> str:
+    """Return the kind of light of a unit; '' for another quantity."""
+    reading = None if unit.is_scale else read(unit)
+    return reading.kind if reading else ""
+
+
+def as_seen(unit: Unit, kind: str) -> Unit:
+    """Return a unit of lumens, or of a ratio of them, as that of an observer's kind."""
+    if kind == LUMINOUS or unit.is_scale:
+        return unit
+    pair = ratio_of(unit.dimension)
+    if kind_of(unit) == LUMINOUS or (pair and LUMINOUS in pair):
+        return _in_kind(unit, kind)
+    return unit
+
+
+def is_seen(unit: Unit, kind: str) -> bool:
+    """Return whether a unit is of the lumens of an observer's kind, or a ratio of them."""
+    pair = None if unit.is_scale else ratio_of(unit.dimension)
+    return kind in (kind_of(unit), *(pair or ()))
+
+
+def weighted(unit: Unit, kind: str) -> Unit:
+    """Return a unit as that of a weight: W/m2 as W_mel/m2; as it is, if it is of a weight.
+
+    Raises UnitError if the light has no such unit in the kind.
+    """
+    own = kind_of(unit)
+    return unit if own in WEIGHTS or not own else _in_kind(unit, kind)
+
+
+def _in_kind(unit: Unit, kind: str) -> Unit:
+    """Return a unit in a weighted kind: with the suffix of the kind at its light."""
+    starts = [k for k, c in enumerate(unit.text) if c.isalpha() and not unit.text[k - 1 : k].isalpha()]
+    for start in starts:
+        text = unit.text[:start] + with_suffix(unit.text[start:], kind)
+        if (found := unit_of(text)) and is_seen(found, kind):
+            return found.of_class(type(unit)) if unit.is_exitance else found
+    raise UnitError(
+        f"'{quote(unit.text)}' is not a unit of {KIND_NAMES[kind]} light", _usual(unit, kind)
+    )
+
+
+def _usual(unit: Unit, kind: str) -> Hint:
+    reading = read(unit)
+    if reading is None or reading.retinal:
+        return "a unit of watts, lumens or photons"
+    text = coherent_text(reading._replace(kind=kind))
+    return correct(unit.text, resolve(text).text.replace(" ", "."))
