@@ -10,27 +10,43 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc import errors
 from radcalc.answer import Remark, Step, Value, format_number, format_value, letter_of
-from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
+from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, value
 from radcalc.errors import option, options
 from radcalc.inputs import Input, Inputs
 from radcalc.laws import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
-from radcalc.quantities import KIND_NAMES, KINDS, LUMINOUS, RADIANT, symbols
+from radcalc.quantities import (
+    KIND_NAMES,
+    KINDS,
+    LUMINOUS,
+    RADIANT,
+    base_of,
+    kind_of_observer,
+    kinds,
+    of_kind,
+    place_of,
+    ratio,
+    ratio_unit,
+    symbols,
+)
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units import Dimension
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.table import resolve
 
 
 def dimension(name: str, kind: str) -> Dimension:
     """Return the dimension of a light quantity (generic name) in a kind."""
-    return SYMBOLS[name].dimensions[KINDS.index(kind)]
+    return of_kind(SYMBOLS[name].dimensions[KINDS.index(base_of(kind))], kind)
 
 
 def kind_of(given: Input) -> str:
     """Return the kind of a light quantity as given."""
-    return KINDS[SYMBOLS[given.symbol.generic].dimensions.index(given.dimension)]
+    place = place_of(given.dimension)
+    assert place is not None
+    return place[0]
 
 
 if TYPE_CHECKING:
@@ -42,7 +58,8 @@ class LightInputs(NamedTuple):
 
     `given_in_two_kinds` has, by generic name, values in a second kind; their ratio is a link.
     `mixed` are the kinds given, if there are several and none is preferred: a result then has the
-    name as typed, or that of its kind, whatever the order of the inputs.
+    name as typed, or that of its kind, whatever the order of the inputs.  `kinds` are those of the
+    results: watts, the lumens of the observer, photons, and the weight.
     """
 
     kind: str
@@ -54,12 +71,13 @@ class LightInputs(NamedTuple):
     steps: tuple[Step, ...]
     given_in_two_kinds: Inputs
     mixed: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = KINDS
 
     @property
     def linked(self) -> list[str]:
         """What a link touches: the other kinds, and quantities given in them."""
         names = [name for name, item in self.values.items() if kind_of(item) != self.kind]
-        return [*names, *(kind for kind in KINDS if kind != self.kind)]
+        return [*names, *(kind for kind in self.kinds if kind != self.kind)]
 
 
 NO_LIGHT = LightInputs(RADIANT, {}, {}, {}, (), (), (), {})
@@ -71,6 +89,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     The kind is that of the first, or the preferred one if they are linked.  Other kinds need a
     wavelength, a spectrum or an efficacy, or one quantity in both kinds.
     """
+    typed, links, wanted = _in_kinds(typed, links)
     given, given_in_two_kinds, notes = _by_generic_names(typed)
     links, further, steps = _links(links, given, given_in_two_kinds)
     notes += further
@@ -95,7 +114,38 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
             steps += factor.steps
     remarks = tuple(assumptions), tuple(notes), tuple(steps)
     mixed = tuple(kinds_given) if len(kinds_given) > 1 else ()
-    return LightInputs(kind, given, amounts, links, *remarks, given_in_two_kinds, mixed)
+    return LightInputs(kind, given, amounts, links, *remarks, given_in_two_kinds, mixed, wanted)
+
+
+def _in_kinds(typed: Inputs, links: Inputs) -> tuple[Inputs, Inputs, tuple[str, ...]]:
+    """Return inputs and links in the kinds of an observer, the other links, and the kinds wanted.
+
+    The lumens of a call are those of its observer.
+    """
+    wanted, refined = list(KINDS), {"observer", "weight"} & links.keys()
+    if not refined:
+        return typed, links, KINDS
+    _refuse_idle_refinements(links)
+    others = {name: item for name, item in links.items() if name not in refined}
+    if "observer" in links:
+        kind = kind_of_observer(links["observer"].value)
+        wanted[KINDS.index(LUMINOUS)] = kind
+        typed = {name: _as_seen(item, kind) for name, item in typed.items()}
+        others = {name: _as_seen(item, kind) for name, item in others.items()}
+    if "weight" in links:
+        wanted.append(links["weight"].value)
+    return typed, others, tuple(dict.fromkeys(wanted))
+
+
+def _as_seen(given: Input, kind: str) -> Input:
+    """Return an input of lumens, or an efficacy, as one of an observer's kind."""
+    if given.unit is None or given.symbol.form != symbols.QUANTITY:
+        return given
+    unit = kinds.as_seen(given.unit, kind)
+    symbol = given.symbol
+    if symbol.kind == LUMINOUS and unit is not given.unit:
+        symbol = symbols.symbol_in(symbol.generic, kind)._replace(name=given.name)
+    return given._replace(symbol=symbol, unit=unit, dimension=unit.dimension)
 
 
 def _by_generic_names(typed: Inputs) -> tuple[Inputs, Inputs, list[str]]:
@@ -185,19 +235,22 @@ class Ratio(NamedTuple):
 
     @classmethod
     def of(cls, first: Input, second: Input) -> "Ratio":
-        kinds = {kind_of(given): given for given in (first, second)}
-        return next(
-            cls(name, kinds[over], kinds[under])
-            for name, over, under in symbols.EFFICACIES
-            if {over, under} == kinds.keys()
-        )
+        """Return the ratio of two inputs of different kinds."""
+        of_bases = {base_of(kind_of(given)): given for given in (first, second)}
+        for name, over, under in symbols.EFFICACIES:
+            if {over, under} == of_bases.keys():
+                return cls(name, of_bases[over], of_bases[under])
+        is_weight = kind_of(first) in WEIGHTS
+        return cls("efficacy", *((first, second) if is_weight else (second, first)))
 
     @property
     def value(self) -> Any:
         return self.over.value / self.under.value
 
     def link(self) -> Input:
-        unit = resolve(SYMBOLS[self.name].unit)
+        unit = resolve(f"({ratio_unit(kind_of(self.over), kind_of(self.under))})")
+        if unit.dimension == SYMBOLS[self.name].dimensions[0]:
+            unit = resolve(SYMBOLS[self.name].unit)
         number = self.value / float(unit.factor)
         text = f"{format_number(number)} {unit.text} ({self.over.text} over {self.under.text})"
         return Input(
@@ -221,9 +274,7 @@ class Ratio(NamedTuple):
         return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
 
     def step(self) -> Step:
-        from radcalc.conversion.spectral import KIND_UNITS
-
-        generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
+        generic, pair = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
         over, under = (
             format_value(
                 quantity.value, symbols.light_unit(generic, kind_of(quantity), coherent=True)
@@ -231,7 +282,7 @@ class Ratio(NamedTuple):
             for quantity in self[1:]
         )
         letter = letter_of(self.name)
-        ratio_text = f"{format_number(self.value)} {KIND_UNITS[kinds]}"
+        ratio_text = f"{format_number(self.value)} {ratio_unit(*pair)}"
         return self.law.formula.with_numbers(
             f"({over}) = {letter} ({under}), so {letter} = {ratio_text}"
         )
@@ -273,7 +324,8 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
 
 def _refuse_idle_refinements(links: Inputs) -> None:
     for name in symbols.REFINEMENTS:
-        useful = symbols.LINKS if name == "observer" else ("spectrum",)
+        is_of_any = name in ("observer", "weight")
+        useful = symbols.LINKS if is_of_any else ("spectrum",)
         if name in links and not set(useful) & set(links):
             raise errors.ConditionError(
                 f"{option(name)} does not apply without {options(useful)}",
@@ -318,7 +370,7 @@ def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
     """Return light quantities [SI, by generic name] as results in every linked kind."""
     factors: dict[str, Factor] = {}
     refused: dict[str, errors.TooNarrow] = {}
-    for kind in KINDS:
+    for kind in lit.kinds:
         try:
             factor = linking_factor(lit.links, kind, lit.kind) if kind != lit.kind else None
         except errors.TooNarrow as error:
@@ -371,6 +423,8 @@ def _value(
         own_name, also = typed, own_name if typed == name else name
     elif kind == lit.kind:
         own_name = name
+    elif base_of(kind) == LUMINOUS:
+        also = symbols.specific_name(name, LUMINOUS)  # of the observer of the call
     return Value(
         own_name,
         specific.replace("-", " "),
@@ -384,15 +438,25 @@ def _value(
     )
 
 
-def efficacies(lit: LightInputs) -> list[tuple[str, Any]]:
+def efficacies(lit: LightInputs) -> list[Value]:
     """Return the ratios of kinds to show [SI]: lm/W if linked, and ratios of inputs."""
     ratio_names = {
         Ratio.of(lit.values[name], twin).name for name, twin in lit.given_in_two_kinds.items()
     }
     ratios = []
-    for name, over, under in symbols.EFFICACIES:
-        if name in ratio_names or (over, under) == (LUMINOUS, RADIANT):
+    for name, *bases in symbols.EFFICACIES:
+        if name in ratio_names or tuple(bases) == (LUMINOUS, RADIANT):
+            over, under = (lit.kinds[KINDS.index(base)] for base in bases)
             with suppress(errors.TooNarrow):  # results that need the ratio report it
                 if factor := linking_factor(lit.links, over, under):
-                    ratios.append((name, factor.value))
+                    ratios.append(of_kinds(value(name, factor.value), over, under))
     return ratios
+
+
+def of_kinds(result: Value, over: str, under: str) -> Value:
+    """Return a ratio of watts, lumens or photons as one of other kinds: lm_scot/W."""
+    if over not in WEIGHTS and under not in WEIGHTS:
+        return result
+    return result._replace(
+        dimensions=(ratio(over, under),), units=(ratio_unit(over, under).replace(" ", "."),)
+    )

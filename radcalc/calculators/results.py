@@ -13,7 +13,7 @@ from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import measured_in, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import GRID, KINDS, read, symbols
+from radcalc.quantities import KIND_NAMES, place_of, read, symbols
 from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
@@ -98,7 +98,7 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         for other in among:  # the same light in another kind
             if other.because and unit.dimension in other.dimensions:
                 raise other.because
-        own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
+        own_grid, wanted_grid = place_of(value.dimensions[0]), place_of(unit.dimension)
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
             message = f"{name_in(value, unit.dimension)} in {quote(unit.text)} {NEEDS_LINK}"
@@ -332,7 +332,7 @@ def _in_its_kind(values: Sequence[Value], row: Row) -> tuple[str, str]:
     """Return the generic name of a result, and the kind of light of its unit, if any."""
     name = row.name.removesuffix(OF_UNCERTAINTY)
     value = next(iter(_called(values, name, row.unit)), values[0])
-    place = GRID.get(unit_for(value, row.unit).dimension)
+    place = place_of(unit_for(value, row.unit).dimension)
     return symbols.generic_name(value.name), place[0] if place else ""
 
 
@@ -406,7 +406,7 @@ def _apart(row: Row) -> Row:
 
 def name_in(value: Value, dimension: Dimension) -> str:
     """Return the name of a result in a unit: illuminance, not irradiance, in lux."""
-    place = GRID.get(dimension)
+    place = place_of(dimension)
     if place is None or dimension in value.dimensions:
         is_luminous = "radiance" in value.name and "luminance" in value.also
         return value.also if is_luminous else value.name
@@ -417,7 +417,7 @@ def name_in(value: Value, dimension: Dimension) -> str:
 
 def of_kind(value: Value, unit: Unit) -> tuple[str, str]:
     """Return the label and the letter of a light quantity in the kind of a unit."""
-    symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
+    symbol, place = SYMBOLS.get(value.name), place_of(unit.dimension)
     if symbol is None or not symbol.generic or place is None:
         return value.label, value.letter
     specific = SYMBOLS[symbols.specific_name(symbol.generic, place[0])]
@@ -485,7 +485,7 @@ def _by_letter(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:
 
 def _bare(letter: str) -> str:
     head, _, below = letter.partition("_")
-    return symbol_key(head) if below in KINDS else ""
+    return symbol_key(head) if below in KIND_NAMES else ""
 
 
 def _by_name(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:

@@ -210,7 +210,7 @@ class Solved(Remarks):
         light = kinds.show_light(self.lit, amounts)
         results = [*first, *[row for name in amounts for row in light.values[name]]]
         results += self._others()
-        results += [value(name, ratio) for name, ratio in kinds.efficacies(self.lit)]
+        results += kinds.efficacies(self.lit)
         results += self._absent(search)
         before = [*self.lit.steps, *self.placed.steps]
         after = [step for step in light.steps if step not in before]

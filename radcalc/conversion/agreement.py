@@ -11,7 +11,7 @@ from radcalc.inputs import Input, Inputs
 from radcalc.laws import same
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known, solve
 from radcalc.maths import larger
-from radcalc.quantities import RATIOS
+from radcalc.quantities import ratio_of, ratio_unit
 from radcalc.quantities.symbols import LINKS, QUANTITY
 from radcalc.tuples import NamedTuple
 
@@ -119,13 +119,14 @@ def without_efficacy(links: Inputs) -> tuple[Inputs, tuple[str, ...]]:
         return links, ()
     efficacy = links["efficacy"]
     fewer = {name: item for name, item in links.items() if name != "efficacy"}
-    pair = next(pair for pair, dimension in RATIOS.items() if dimension == efficacy.dimension)
+    pair = ratio_of(efficacy.dimension)
+    assert pair is not None
     return fewer, compare_ratio(Said([efficacy], lambda given: given[0].value), fewer, *pair)
 
 
 def compare_ratio(ratio: Said, links: Inputs, over: str, under: str) -> tuple[str, ...]:
     """Compare a ratio of two kinds with that of the given link; return notes."""
-    from radcalc.conversion.spectral import KIND_UNITS, linked  # the tables of the observers
+    from radcalc.conversion.spectral import linked  # the tables of the observers
 
     link = next(links[name] for name in LINKS if name in links)
 
@@ -136,4 +137,4 @@ def compare_ratio(ratio: Said, links: Inputs, over: str, under: str) -> tuple[st
             raise Exclusive(names, "radiant, luminous and photon quantities are linked twice")
         return factor.value
 
-    return compare(Said([link], by_link), ratio, KIND_UNITS[over, under])
+    return compare(Said([link], by_link), ratio, ratio_unit(over, under))

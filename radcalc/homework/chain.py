@@ -31,7 +31,7 @@ from radcalc.laws import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE, AnyLaw, L
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis
-from radcalc.quantities import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, base_of, place_of, read, symbol_of
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]
@@ -197,7 +197,7 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
         steps.append((CONE, goal))
     if goal not in values:
         _add_ratio(goal, given, values, steps)
-    facts = GRID.get(target.dimensions[0])
+    facts = place_of(target.dimensions[0])
     if SYMBOLS[goal].generic and goal in values and facts and facts[0] != kind:
         powers = between_kinds(kind, facts[0], given, values, steps)
         multiply([(goal, 1.0), *powers], right, values, steps)
@@ -254,22 +254,25 @@ def between_kinds(
     if "wavelength" in given:
         from radcalc.laws import optics
         from radcalc.spectra.observers import luminous_efficacy
+        from radcalc.spectra.weights import observer_of
 
-        light = spectral.light(given["wavelength"], given.get("observer"))
-        if LUMINOUS in (start, end):
-            eye = light.observer
+        light = spectral.light(given["wavelength"])
+        if eye := observer_of(start) or observer_of(end):
             values["luminous-efficacy"] = float(luminous_efficacy(light.table, eye))
             values["luminous-efficiency"] = values["luminous-efficacy"] / eye.maximum
             steps.append((LUMINOUS_EFFICACY._replace(constant=eye.maximum), "luminous-efficacy"))
-            powers.append(("luminous-efficacy", 1.0 if end == LUMINOUS else -1.0))
+            powers.append(("luminous-efficacy", 1.0 if base_of(end) == LUMINOUS else -1.0))
         if PHOTON in (start, end):
             values["wavelength"] = float(light.vacuum)
             values["photon-energy"] = float(light.photon_energy)
             steps.append((optics.PHOTON_ENERGY, "photon-energy"))
             powers.append(("photon-energy", 1.0 if start == PHOTON else -1.0))
         return powers
-    for name, over, under in EFFICACIES:
-        if {over, under} == {start, end} and (ratio := spectral.linked(given, over, under)):
+    for name, *bases in EFFICACIES:
+        if {*bases} != {base_of(start), base_of(end)}:
+            continue
+        over, under = (start, end) if base_of(start) == bases[0] else (end, start)
+        if ratio := spectral.linked(given, over, under):
             values[name] = float(ratio.value)
             powers.append((name, 1.0 if end == over else -1.0))
     return powers

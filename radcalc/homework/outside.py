@@ -306,7 +306,7 @@ def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
         from radcalc.conversion.spectral import light
         from radcalc.spectra.observers import luminous_efficacy
 
-        return float(luminous_efficacy(light(p.given["wavelength"], None).table, eye))
+        return float(luminous_efficacy(light(p.given["wavelength"]).table, eye))
     return p.amount(OF_EYES[is_dark]) if p.lists("efficacies of eyes") else None
 
 

@@ -24,7 +24,7 @@ from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.laws.optics import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
-from radcalc.quantities import GRID, Reading
+from radcalc.quantities import Reading, place_of
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol
 from radcalc.spectra.spectrum import BlackBody
 from radcalc.units import NUMBER, Daily, Unit
@@ -219,7 +219,7 @@ class Problem:
         self.results = {v.name: v for v in question.answer.values if not v.is_absent}
         self.right = float(target.amount)
         self._changed: dict[Any, tuple[Question, Value] | None] = {}
-        facts = GRID.get(target.dimensions[0])
+        facts = place_of(target.dimensions[0])
         self.light = Reading(*facts) if facts else None
         if question.plan:
             from radcalc.homework.chain import of_conversion

@@ -1,6 +1,6 @@
 """Units in a kind of light that an observer or a weight determines: lm of scotopic eyes, lm_scot."""
 
-from radcalc.errors import Hint, UnitError, correct, quote
+from radcalc.errors import UnitError, quote
 from radcalc.quantities import (
     KIND_NAMES,
     LUMINOUS,
@@ -11,7 +11,7 @@ from radcalc.quantities import (
 )
 from radcalc.units import Unit
 from radcalc.units.compiled import WEIGHTS
-from radcalc.units.table import resolve, unit_of
+from radcalc.units.table import unit_of
 
 
 def kind_of(unit: Unit) -> str:
@@ -47,9 +47,12 @@ def weighted(unit: Unit, kind: str) -> Unit:
 
 def _in_kind(unit: Unit, kind: str) -> Unit:
     """Return a unit in a weighted kind: with the suffix of the kind at its light."""
-    starts = [k for k, c in enumerate(unit.text) if c.isalpha() and not unit.text[k - 1 : k].isalpha()]
-    for start in starts:
-        text = unit.text[:start] + with_suffix(unit.text[start:], kind)
+    word = WEIGHTS[kind][0].replace("-", "_")
+    texts = [f"{word}_{unit.text.lower()}"]
+    for start, c in enumerate(unit.text):
+        if c.isalpha() and not unit.text[max(start - 1, 0) : start].isalpha():
+            texts.append(unit.text[:start] + with_suffix(unit.text[start:], kind))
+    for text in texts:
         if (found := unit_of(text)) and is_seen(found, kind):
             return found.of_class(type(unit)) if unit.is_exitance else found
     raise UnitError(
@@ -57,9 +60,8 @@ def _in_kind(unit: Unit, kind: str) -> Unit:
     )
 
 
-def _usual(unit: Unit, kind: str) -> Hint:
+def _usual(unit: Unit, kind: str) -> str:
     reading = read(unit)
     if reading is None or reading.retinal:
         return "a unit of watts, lumens or photons"
-    text = coherent_text(reading._replace(kind=kind))
-    return correct(unit.text, resolve(text).text.replace(" ", "."))
+    return f"the amount in {coherent_text(reading._replace(kind=kind))}"

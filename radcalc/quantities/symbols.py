@@ -23,8 +23,11 @@ from radcalc.quantities import (
     base_of,
     in_a_kind,
     in_words,
+    kind_of_observer,
     light_dimension,
+    of_kind,
     place_of,
+    ratio,
     ratio_of,
     with_suffix,
 )
@@ -217,6 +220,7 @@ PROJECTIONS = (*WHOLE_SPHERE, *CIRCLES, *RECTANGLES)
 MOST_PIXELS = 1_000_000  # in each direction
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
+SCOTOPIC = kind_of_observer("scotopic")
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
 HUE_BINS = (  # of TM-30, each in 16 bins
@@ -551,7 +555,8 @@ _ROWS = (
     _symbol(NUMBER, "luminous-efficiency", "V"),
     _symbol(RATIOS[LUMINOUS, RADIANT], "luminous-efficacy", "K", unit="lm/W"),
     _symbol(NUMBER, "scotopic-luminous-efficiency", "V'"),
-    _symbol(RATIOS[LUMINOUS, RADIANT], "scotopic-luminous-efficacy", "K'", unit="lm/W"),
+    _symbol(ratio(SCOTOPIC, RADIANT), "scotopic-luminous-efficacy", "K'", unit="lm_scot/W",
+        takes="a scotopic luminous efficacy"),
     _symbol(NUMBER, "sp-ratio", "S/P", "2", "Scotopic/photopic ratio of the light.",
         Limits(0.0, 73.0, "more than 0, up to 73", without_low=True),
         label="scotopic/photopic ratio"),
@@ -588,8 +593,9 @@ _ROWS = (
     _symbol(TEMPERATURE, "temperature", "T"),
     _symbol(LUMINANCE, "mesopic-luminance", "L_mes", "0.1cd/m2",
         "Luminance for the eye response at mesopic adaptation.", takes="a luminance"),
-    _symbol(LUMINANCE, "scotopic-luminance", "L'", "0.2cd/m2",
-        "Luminance for the eye response at dark adaptation.", takes="a luminance"),
+    _symbol(of_kind(LUMINANCE, SCOTOPIC), "scotopic-luminance", "L'", "0.2cd_scot/m2",
+        "Luminance for the eye response at dark adaptation, also in cd/m2.", takes="a luminance",
+        also=(LUMINANCE,), unit="cd_scot/m2"),
     _symbol(NUMBER, "adaptation", "m", limits=ANY, label="adaptation coefficient"),
     _symbol(SOLID_ANGLE, "integral", "∫f dΩ", limits=ANY),
     _symbol(SOLID_ANGLE, "error", "", limits=ANY, label="estimate of the error"),
@@ -757,7 +763,7 @@ def _joined(name: str) -> str:
     return name.lower().replace(" ", "-")
 
 
-def of_kind(generic: str, kind: str) -> Symbol:
+def symbol_in(generic: str, kind: str) -> Symbol:
     """Return the row of a light quantity in a kind, which may be a weighted one."""
     return SYMBOLS[specific_name(generic, kind)]
 

@@ -18,6 +18,7 @@ from radcalc.spectra.spectrum import (
     WHOLE,
     BlackBody,
     Lines,
+    Range,
     Spectrum,
     Table,
     integral,
@@ -298,8 +299,17 @@ def find_named(text: str) -> Table | None:
     return Table(name, wavelengths, values, VISIBLE, notes, left_out=beyond * (name == "A"))
 
 
+NOTHING = 1e-15  # of the peak
+
+
 class Sun(Table):
     """Sunlight by ASTM G173-03, in a table over 280-4000 nm."""
+
+    @property
+    def covered(self) -> Range:
+        """The range [nm] of which the light is known: the air absorbs all below 280 nm."""
+        is_on_ground = self.values[0] < NOTHING * max(self.values)
+        return (0.0, self.known[1]) if is_on_ground else self.known
 
     @property
     def left_out(self) -> str:  # type: ignore[override]

@@ -219,6 +219,11 @@ class Table(Spectrum):
         self._left_out = left_out
 
     @property
+    def covered(self) -> Range:
+        """The range [nm] of which the light is known, for weights."""
+        return self.known
+
+    @property
     def left_out(self) -> str:  # type: ignore[override]
         """Return a note on the watts beyond the default range, from the values at its ends."""
         if self.is_whole or self._left_out:

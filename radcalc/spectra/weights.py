@@ -31,9 +31,6 @@ if TYPE_CHECKING:
 
     from radcalc.spectra.spectrum import Range, Spectrum
 
-NEAR_NOTHING = 1e-9  # of the peak: a spectrum that ends below it is dark beyond
-
-
 class Weight(NamedTuple):
     """A weight: w at points from `start` [nm] at equal steps, 0 outside, and its source.
 
@@ -201,17 +198,13 @@ def refuse_uncovered(source: "Spectrum", kind: str) -> None:
     limits = range_of(kind)
     if limits is None or source.is_whole or not isinstance(source, Table):
         return
-    (low, high), (start, end) = limits, source.known
-    peak = max(source.values)
-    missing = []
-    if low < start and source.values[0] > NEAR_NOTHING * peak:
-        missing.append(range_text((low, min(start, high))))
-    if high > end and source.values[-1] > NEAR_NOTHING * peak:
-        missing.append(range_text((max(end, low), high)))
+    (low, high), (start, end) = limits, source.covered
+    missing = [(low, min(start, high))] if low < start else []
+    missing += [(max(end, low), high)] if high > end else []
     if missing:
         raise ConditionError(
             f"the data of {quote(source.label)} cover {range_text(source.known)}, without "
-            f"{' and '.join(missing)} of the {KIND_NAMES[kind]} weight",
+            f"{' and '.join(map(range_text, missing))} of the {KIND_NAMES[kind]} weight",
             [add("dark-outside", remark="if it has no light there")],
         )
 
@@ -245,6 +238,8 @@ def ratio_text(ratio: float, over: str, under: str) -> str:
         return f"{ratio * AVOGADRO * 1e-6:.6g} {unit.replace('photon', 'umol')}"
     if bases == (PHOTON, RADIANT):
         return f"{ratio / AVOGADRO * 1e6:.6g} {unit.replace('photon', 'umol')}"
+    if bases == (RADIANT, PHOTON) and over in WEIGHTS:
+        return f"{ratio * AVOGADRO * 1e-6:.6g} {unit.replace('photon', 'umol')}"
     if bases == (RADIANT, LUMINOUS) and over in WEIGHTS:
         return f"{ratio * 1e3:.6g} m{unit}"
     return f"{ratio:.6g} {unit}"

@@ -30,7 +30,7 @@ DEFINITIONS = HERE / "light.txt"
 PREFIXES = {"W": "all", "J": "all", "lm": "k M m u", "lx": "k m u", "cd": "k m u", "mol": "m u n"}
 UNITS_OF_BASES = {
     "e": (("W", "watt"), ("J", "joule")),
-    "v": (("lm", "lumen"), ("lx", "lux"), ("cd", "candela")),
+    "v": (("lm", "lumen"), ("lx", "lux"), ("cd", "candela"), ("fc", "footcandle")),
     "p": (("mol", "mole"), ("photon", "photon")),
 }
 
