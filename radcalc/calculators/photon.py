@@ -4,6 +4,7 @@ from functools import reduce
 from typing import Any
 
 from radcalc.answer import Answer, Remark, Value, format_number
+from radcalc.calculators.kinds import of_kinds
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
@@ -11,8 +12,8 @@ from radcalc.inputs import Input, Inputs
 from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.maths import any_true, larger
-from radcalc.quantities import PHOTON_NAMES
-from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.quantities import PHOTON_NAMES, RADIANT, kind_of_observer
+from radcalc.quantities.symbols import QUANTITY, SCOTOPIC, SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH
 
@@ -64,7 +65,9 @@ def photon(given: Inputs) -> Answer:
     """
     wave = given["wavelength"]
     solution = solve(PHOTON_LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
-    light = spectral.light(wave, given.get("observer"))
+    light = spectral.light(wave)
+    observer = given["observer"].value if "observer" in given else "photopic"
+    eye, kind = OBSERVERS[observer], kind_of_observer(observer)
     names = dict.fromkeys(PHOTON_NAMES.values())
     own_name = PHOTON_NAMES[wave.dimension]
     units = {name: UNITS.get(name, (SYMBOLS[name].unit,)) for name in names}
@@ -75,29 +78,29 @@ def photon(given: Inputs) -> Answer:
         for name in names
     ]
     scotopic = OBSERVERS["scotopic"]
-    if light.observer is not scotopic:
-        values += _visibility("luminous", light.table, light.observer)
-    values += _visibility("scotopic-luminous", light.table, scotopic)
+    if eye is not scotopic:
+        values += _visibility("luminous", light.table, eye, kind)
+    values += _visibility("scotopic-luminous", light.table, scotopic, SCOTOPIC)
     notes = []
     efficiencies = [row.si for row in values if row.name.endswith("efficiency")]
     is_dark = reduce(larger, efficiencies) == 0
     if any_true(is_dark):
         notes.append(f"{wave.text_where(is_dark)} is invisible: it is outside the tables")
-    eyes = dict.fromkeys([light.observer, scotopic])
+    eyes = dict.fromkeys([eye, scotopic])
     steps = [
-        spectral.efficacy_step(eye.maximum * luminous_efficiency(light.table, eye), eye)
-        for eye in eyes
+        spectral.efficacy_step(one.maximum * luminous_efficiency(light.table, one), one)
+        for one in eyes
     ]
     return Answer(
         values, _assumptions(light, wave), notes, Derivation(solution, before=(), after=steps)
     )
 
 
-def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
+def _visibility(name: str, wavelength: Any, observer: Observer, kind: str) -> list[Value]:
     efficiency = luminous_efficiency(wavelength, observer)
     return [
-        value(f"{kind}-efficiency", efficiency),
-        value(f"{kind}-efficacy", observer.maximum * efficiency),
+        value(f"{name}-efficiency", efficiency),
+        of_kinds(value(f"{name}-efficacy", observer.maximum * efficiency), kind, RADIANT),
     ]
 
 

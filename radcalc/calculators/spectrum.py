@@ -6,15 +6,27 @@ from collections.abc import Sequence
 from radcalc import errors
 from radcalc.answer import Answer, Formula, Remark, Step, Value
 from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
+from radcalc.calculators.kinds import of_kinds
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
+from radcalc.calculators.weighted import ON_REQUEST as OF_WEIGHTS
+from radcalc.calculators.weighted import described, of_weight, weighted
 from radcalc.errors import option
 from radcalc.inputs import Inputs
-from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, light_dimension
-from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
+from radcalc.quantities import (
+    LUMINOUS,
+    PHOTON,
+    RADIANT,
+    base_of,
+    kind_of_observer,
+    light_dimension,
+    ratio_unit,
+)
+from radcalc.quantities.symbols import SCOTOPIC, SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra.contents import Counts
 from radcalc.spectra.observers import LIGHT, OBSERVERS, PLANCK, TRAPEZOIDS
 from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
+from radcalc.spectra.weights import observer_of
 
 PAGE = Page(
     results=(
@@ -28,6 +40,8 @@ PAGE = Page(
         "luminous-efficacy",
         "scotopic-luminous-efficacy",
         "sp-ratio",
+        "per-watt",
+        "per-lumen",
         "photon-energy",
         "photon-efficacy",
         "lux-per-ppfd",
@@ -61,9 +75,9 @@ PAGE = Page(
             ),
             flag("list", "List the named sources, or those of one kind.", name="list_"),
         ),
-        "Light": ("observer", "range", "photon-range", "reference"),
+        "Light": ("observer", "weight", "range", "photon-range", "dark-outside", "reference"),
     },
-    on_request=ON_REQUEST,
+    on_request=(*ON_REQUEST, *OF_WEIGHTS),
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",
         "range": ("LOW:HIGH", "Wavelength range that all results describe."),
@@ -115,6 +129,7 @@ OF_WATTS = (
     *("centroid-wavelength", "range-start", "range-end", "range-fraction", "luminous-efficiency"),
     *("luminous-efficacy", "scotopic-luminous-efficacy", "photon-efficacy", RADIANT),
 )
+OF_A_WEIGHT = ("per-watt", "per-lumen")
 OF_PHOTONS = ("photon-energy", "photon-efficacy", "lux-per-ppfd", PHOTON)
 
 
@@ -126,33 +141,41 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     """
     source: Spectrum = given["spectrum"].value
     chosen = {name: item.value for name, item in given.items()}
-    eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
+    seen = kind_of_observer(chosen.get("observer", "photopic"))
     ranges = chosen.get("range"), chosen.get("photon-range")
-    whole = Counts(source, eye, *ranges)
+    whole = Counts(source, *ranges)
     known = f"; the data of {source.label} cover {whole.known}" if whole.known else ""
     light = source.part(ranges[0]) if ranges[0] else source
     if light is None or not whole.amount(RADIANT) > 0:
         problem = f"there is no power in {whole.over(RADIANT)}{known}"
         raise errors.ConditionError(problem, f"another {option('range')}")
-    counts = Counts(light, eye, *ranges)
+    counts = Counts(light, *ranges, is_dark_outside="dark-outside" in given)
     colour = colours(light, requested, _reference(given, requested))
     uncounted = _without_photons(source, counts)
-    kinds = (RADIANT, LUMINOUS) if uncounted else (RADIANT, LUMINOUS, PHOTON)
+    kinds = (RADIANT, seen) if uncounted else (RADIANT, seen, PHOTON)
+    of_weights, by_weights = weighted(counts, requested)
     values = [
         *_shape(counts, source.total()),
-        *_efficacies(counts, Counts(light, night, *ranges)),
-        *_photons(counts),
+        *_efficacies(counts, seen),
+        *_photons(counts, seen),
         *colour.values,
-        *[on_request(name) for name in ON_REQUEST if name not in requested],
+        *of_weights,
+        *(of_weight(counts, chosen["weight"]) if "weight" in chosen else ()),
+        *[on_request(name) for name in PAGE.on_request if name not in requested],
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
         *uncounted,
     ]
     assumptions = [*_assumptions(source, counts, whole, bool(ranges[0])), *colour.assumptions]
+    assumptions += by_weights
+    if "weight" in chosen:
+        assumptions.append(Remark(described(chosen["weight"]), OF_A_WEIGHT))
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
-    notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
+    notes = [*source.notes, *whole.notes(clipped), *counts.notes((seen, PHOTON)), *colour.notes]
     notes += [Remark(note, OF_WATTS) for note in whole.left_out((RADIANT,))]
     notes += _notes(source, counts, whole, bool(ranges[0]))
-    return Answer(values, assumptions, notes, _steps(counts))
+    if "dark-outside" in given:
+        notes.append(f"{source.label} is taken as dark outside its data")
+    return Answer(values, assumptions, notes, _steps(counts, seen))
 
 
 def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
@@ -220,16 +243,17 @@ def _shape(counts: Counts, total: float) -> list[Value]:
     return [*results, value("range-fraction", watts / total)]
 
 
-def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
+def _efficacies(counts: Counts, seen: str) -> list[Value]:
     """Return the luminous efficiency, the efficacies and the S/P ratio, or why they are absent."""
-    eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
+    eye, lumens, dark = observer_of(seen), counts.amount(LUMINOUS), counts.amount(SCOTOPIC)
+    assert eye is not None
     results = [
-        *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),
-        *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficacy"),
+        *_ratio(counts, seen, RADIANT, "luminous-efficiency", eye.maximum),
+        *_ratio(counts, seen, RADIANT, "luminous-efficacy"),
     ]
-    if eye is not by_night.eye:
-        results += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
-    if eye is not OBSERVERS["photopic"]:
+    if seen != SCOTOPIC:
+        results += _ratio(counts, SCOTOPIC, RADIANT, "scotopic-luminous-efficacy")
+    if seen != LUMINOUS:
         reason = f"it is defined for {OBSERVERS['photopic'].label}"
         results.append(absent("sp-ratio", reason, f"leave out {option('observer')}"))
     elif lumens:
@@ -243,10 +267,11 @@ def _ratio(counts: Counts, over: str, under: str, name: str, scale: float = 1.0)
     """Return a ratio of kinds, or a result with the reason why the range has none."""
     if problem := counts.impossible(over, under):
         return [absent(name, problem.message, problem.hint)]
-    return [value(name, counts.amount(over) / counts.amount(under) / scale)]
+    result = value(name, counts.amount(over) / counts.amount(under) / scale)
+    return [of_kinds(result, over, under) if scale == 1 else result]
 
 
-def _photons(counts: Counts) -> list[Value]:
+def _photons(counts: Counts, seen: str) -> list[Value]:
     limits, photons = counts.ranges[PHOTON], counts.amount(PHOTON)
     if not photons:
         why = f"there are no photons in {counts.over(PHOTON)}"
@@ -256,7 +281,7 @@ def _photons(counts: Counts) -> list[Value]:
     return [
         value("photon-energy", energy, label="mean photon energy"),
         *_ratio(counts, PHOTON, RADIANT, "photon-efficacy"),
-        *_ratio(counts, LUMINOUS, PHOTON, "lux-per-ppfd"),
+        *_ratio(counts, seen, PHOTON, "lux-per-ppfd"),
     ]
 
 
@@ -302,7 +327,7 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
                 label="radiant exitance", letter="M_e"
             ),
             _of_light("radiance", RADIANT, leaving)._replace(letter="L_e"),
-            _of_light("radiance", LUMINOUS, leaving),
+            *[_of_light("radiance", kind, leaving) for kind in amounts if base_of(kind) == LUMINOUS],
             value("temperature", source.temperature),
         ]
     if source.absolute:
@@ -319,21 +344,30 @@ def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:
     unit = light_unit(name, kind)
     base_dimension = light_dimension(kind, geometry, "")
     letter = symbol.letter if kind != RADIANT else ""
+    also = specific_name(name, LUMINOUS) if base_of(kind) == LUMINOUS else ""
     return Value(
-        symbol.name, symbol.label, letter, amounts[kind], (base_dimension,), (unit,), reach
+        symbol.name,
+        symbol.label,
+        letter,
+        amounts[kind],
+        (base_dimension,),
+        (unit,),
+        reach,
+        also=also,
     )
 
 
-def _steps(counts: Counts) -> list[Step]:
-    eye, lumens, watts = counts.eye, counts.amount(LUMINOUS), counts.amount(RADIANT)
+def _steps(counts: Counts, seen: str) -> list[Step]:
+    eye, lumens, watts = observer_of(seen), counts.amount(seen), counts.amount(RADIANT)
+    assert eye is not None
+    unit = ratio_unit(seen, RADIANT)
     weight = eye.label.split("(")[0]
     formula = Formula(
         "luminous efficacy of radiation",
         f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
         f"{TRAPEZOIDS}; {eye.described}",
     )
-    if counts.impossible(LUMINOUS, RADIANT):
+    if counts.impossible(seen, RADIANT):
         return []
-    return [
-        formula.with_numbers(f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W")
-    ]
+    ratio = f"{lumens:.6g} {unit.partition('/')[0]} / {watts:.6g} W"
+    return [formula.with_numbers(f"K = {ratio} = {lumens / watts:.6g} {unit}")]

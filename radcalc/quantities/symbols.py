@@ -221,6 +221,8 @@ MOST_PIXELS = 1_000_000  # in each direction
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
 SCOTOPIC = kind_of_observer("scotopic")
+ALPHA_OPIC = {suffix: row[2].lower() for suffix, row in WEIGHTS.items()
+              if row[0] in ("melanopic", "s-cone", "m-cone", "l-cone", "rhodopic")}  # fmt: skip
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
 HUE_BINS = (  # of TM-30, each in 16 bins
@@ -562,6 +564,26 @@ _ROWS = (
         label="scotopic/photopic ratio"),
     _symbol(RATIOS[PHOTON, RADIANT], "photon-efficacy", "K_p", unit="umol/J"),
     _symbol(RATIOS[LUMINOUS, PHOTON], "lux-per-ppfd", "", label="lux per PPFD", unit="lm.s/umol"),
+    # Weights of a spectrum.
+    *(_symbol(ratio(kind, LUMINOUS), f"{name}-elr", f"K_{kind},v", unit=f"mW_{kind}/lm",
+              label=f"{name} efficacy of luminous radiation", takes="an efficacy")
+      for kind, name in ALPHA_OPIC.items()),
+    *(_symbol(NUMBER, f"{name}-der", f"γ_{kind},D65", label=f"{name} daylight efficacy ratio")
+      for kind, name in ALPHA_OPIC.items()),
+    *(_symbol(light_dimension(kind, (0, 1, 0), ""), f"{name}-edi", f"E_{kind},D65",
+              unit=f"lx_{kind}", label=f"{name} EDI", takes="an irradiance")
+      for kind, name in ALPHA_OPIC.items()),
+    _symbol(light_dimension("ery", (0, 1, 0), ""), "uv-index", "UVI", unit="UVI",
+        label="UV index", takes="an irradiance"),
+    _symbol(ratio("act", LUMINOUS), "actinic-uv-elr", "K_act,v", unit="mW_act/klm",
+        label="actinic UV per luminous flux", takes="an efficacy"),
+    _symbol(ratio("blh", LUMINOUS), "blue-light-elr", "K_B,v", unit="mW_blh/lm",
+        label="blue-light hazard efficacy of luminous radiation", takes="an efficacy"),
+    _symbol(NUMBER, "r-fr-smith10", "R:FR", label="red to far-red, 655-665 nm to 725-735 nm"),
+    _symbol(ratio("mel", RADIANT), "per-watt", "", unit="W_mel/W", takes="an efficacy",
+        label="weighted light per watt"),
+    _symbol(ratio("mel", LUMINOUS), "per-lumen", "", unit="W_mel/lm", takes="an efficacy",
+        label="weighted light per lumen"),
     _symbol(LENGTH, "peak-wavelength", "λ_p", unit="nm"),
     _symbol(LENGTH, "centroid-wavelength", "λ_c", unit="nm"),
     _symbol(LENGTH, "fwhm", "Δλ", label="full width at half maximum", unit="nm"),
