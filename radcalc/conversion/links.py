@@ -384,7 +384,7 @@ def _detector(bridge: Bridge) -> Links:
     if link and link.name == "wavelength":
         from radcalc.conversion import spectral
 
-        energy = spectral.light(link, None).photon_energy
+        energy = spectral.light(link).photon_energy
         factor = factor._replace(notes=geometric.yield_of(given.value, energy))
     return [(factor, -1 if from_current else 1)]
 

@@ -76,8 +76,8 @@ class ArrayTable(Table):
         grid, values = self._part(limits)
         return ArrayTable(self.label, grid, values, is_whole=True) if len(grid) else None
 
-    def find_moments(self, start: int, count: int) -> Sequence[float]:
-        nodes = np.arange(start, start + count, dtype=float)
+    def find_moments(self, start: float, count: int, step: float) -> Sequence[float]:
+        nodes = start + step * np.arange(count, dtype=float)
         union, weights = _trapezoid_weights(self.grid, nodes)
         heights = np.interp(union, self.grid, self.values)
         moments: list[float] = _spread(union, weights * heights, nodes).tolist()

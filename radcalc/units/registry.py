@@ -51,7 +51,7 @@ class Weight(NamedTuple):
     def definitions(self) -> list[str]:
         """Return the definitions of its units, with their marks; the first is of its base unit."""
         lines = [f"{self.base_unit} = [{self.base_unit}]"]
-        word = self.name.replace("-", "_")
+        word = self.suffix if any(map(str.isdigit, self.name)) else self.name.replace("-", "_")
         for symbol, name in UNITS_OF_BASES[self.base]:
             lines += [f"#: {self.source}", f"#~ {PREFIXES.get(symbol, '')}"]
             lines.append(f"{word}_{name} = {name} * {self.base_unit} = {symbol}_{self.suffix}")

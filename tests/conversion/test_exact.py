@@ -14,6 +14,10 @@ from radcalc.units import compiled
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any
 
+ALPHA_OPIC = ("sc", "mc", "lc", "rh", "mel")
+OF_WATTS = (*ALPHA_OPIC, "ery", "act", "uva", "blh", "par")
+OF_EYES = ("scot", "ten", "jv", "cf", "cften")
+OF_PHOTONS = ("epar", "fr", "rs", "frs", "ypf")
 FOOT, INCH = Fraction("0.3048"), Fraction("0.0254")
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")
 # (units, the exact value of the first in the second), from the definitions of the units: the
@@ -132,6 +136,18 @@ EXACT = [
     ("ktd", "td", Fraction(1000)),
     ("W/A", "V", Fraction(1)),
     ("mA", "uA", Fraction(1000)),
+    # Weighted units are those of their light; the UV index is 40 m2/W (WHO 2002), the dose SED
+    # 100 J/m2 (CIE S 007), the EML 0.9058 lx of melanopic EDI (WELL v2, feature L03).
+    ("UVI", "mW_ery/m2", Fraction(25)),
+    ("SED", "J_ery/m2", Fraction(100)),
+    ("EML", "lx_mel", Fraction("0.9058")),
+    ("epfd", "umol_epar/m2/s", Fraction(1)),
+    ("ypfd", "umol_ypf/m2/s", Fraction(1)),
+    *[(f"W_{kind}.s", f"J_{kind}", Fraction(1)) for kind in OF_WATTS],
+    *[(f"cd_{kind}.sr", f"lx_{kind}.m2", Fraction(1)) for kind in ALPHA_OPIC],
+    *[(f"lm_{kind}/m2", f"lx_{kind}", Fraction(1)) for kind in OF_EYES],
+    *[(f"fc_{kind}", f"cd_{kind}.sr/m2", 1 / FOOT**2) for kind in OF_EYES],
+    *[(f"mol_{kind}", f"photon_{kind}", Fraction(602214076 * 10**15)) for kind in OF_PHOTONS],
 ]
 
 

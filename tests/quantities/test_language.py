@@ -71,6 +71,12 @@ def test_a_label_is_translated_if_there_is_a_name(label, cs, ru):
 
 # Letters, and quantities without an established name.
 IN_ENGLISH = {"x", "y", "z", "photon exitance", "photon exposure"}
+OF_WEIGHTS = ("melanopic", "rhodopic", "s-cone", "m-cone", "l-cone", "weighted light", "red to")
+IN_ENGLISH |= {
+    symbol.label
+    for symbol in SYMBOLS.values()
+    if symbol.label.startswith((*OF_WEIGHTS, "actinic", "blue-light"))
+}
 SHOWN = sorted(
     {
         symbol.label
