@@ -140,8 +140,10 @@ def convert(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
     apex_angle: Amount = None,
@@ -191,8 +193,10 @@ def dose(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     unit: str = "",
     column: str | int | None = None,
     time_column: str | int | Sequence[str | int] = (),
@@ -218,8 +222,10 @@ def dose(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     unit: str = "",
     column: str | int | None = None,
     time_column: str | int | Sequence[str | int] = (),
@@ -256,8 +262,10 @@ def environment(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def etendue(
     *amounts: Unnamed,
@@ -288,8 +296,10 @@ def etendue(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def ev(
     *amounts: Unnamed,
@@ -320,8 +330,10 @@ def explain(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
     apex_angle: Amount = None,
@@ -354,8 +366,10 @@ def factor(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
     apex_angle: Amount = None,
@@ -412,8 +426,10 @@ def irradiance_map(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     order: Literal[2] | None = None,
 ) -> Quantity: ...
 def lambertian(
@@ -468,8 +484,10 @@ def lambertian(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def laser(
     *amounts: Unnamed,
@@ -507,8 +525,10 @@ def laser(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def mesopic(
     *amounts: Unnamed,
@@ -572,8 +592,10 @@ def point_source(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     any_incidence: bool = False,
 ) -> Result: ...
 def refraction(
@@ -605,8 +627,10 @@ def room(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def scene(
     sources: Path | Iterable[Mapping[str, Any]],
@@ -617,8 +641,10 @@ def scene(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     shares: bool = False,
 ) -> Result: ...
 def screen(
@@ -643,8 +669,10 @@ def screen(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def sensor(
     *amounts: Unnamed,
@@ -685,8 +713,10 @@ def sensor(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def sky(
     kind: Sky = "overcast",
@@ -725,8 +755,10 @@ def sky(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...
 def solid_angle(
     shape: Shape,
@@ -761,8 +793,10 @@ def spectrum(
     source: Path | Any,
     *,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
     reference: Spectrum = None,
     column: str | int | None = None,
     unit: str = "",
@@ -796,6 +830,8 @@ def uberlight(
     spectrum: Spectrum = None,
     efficacy: Amount = None,
     observer: Observer | None = None,
+    weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    dark_outside: bool = False,
 ) -> Result: ...

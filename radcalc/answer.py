@@ -381,7 +381,13 @@ def coherent_unit_of(name: str, kind: str = "") -> str:
     symbol = SYMBOLS[name]
     if symbol.geometry:
         return light_unit(symbol.generic, symbol.kind or kind, coherent=True)
-    return symbol.unit if symbol.unit in CUSTOMARY else COHERENT[symbol.dimensions[0]]
+    if symbol.unit in CUSTOMARY:
+        return symbol.unit
+    if symbol.dimensions[0] in COHERENT:
+        return COHERENT[symbol.dimensions[0]]
+    from radcalc.units.values import text_of  # of a weight
+
+    return text_of(symbol.dimensions[0])
 
 
 def fill(template: str, write: Callable[[str, bool], str]) -> str:

@@ -23,13 +23,13 @@ from radcalc.quantities import (
     RADIANT,
     base_of,
     kind_of_observer,
-    kinds,
     of_kind,
     place_of,
     ratio,
     ratio_unit,
     symbols,
 )
+from radcalc.quantities import kinds as units_in
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units import Dimension
@@ -90,6 +90,9 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     wavelength, a spectrum or an efficacy, or one quantity in both kinds.
     """
     typed, links, wanted = _in_kinds(typed, links)
+    weights = {*wanted, *map(kind_of, typed.values())} & WEIGHTS.keys()
+    if "dark-outside" in links and not weights:
+        raise errors.Unused(["dark-outside"], "without a weight")
     given, given_in_two_kinds, notes = _by_generic_names(typed)
     links, further, steps = _links(links, given, given_in_two_kinds)
     notes += further
@@ -130,18 +133,18 @@ def _in_kinds(typed: Inputs, links: Inputs) -> tuple[Inputs, Inputs, tuple[str, 
     if "observer" in links:
         kind = kind_of_observer(links["observer"].value)
         wanted[KINDS.index(LUMINOUS)] = kind
-        typed = {name: _as_seen(item, kind) for name, item in typed.items()}
-        others = {name: _as_seen(item, kind) for name, item in others.items()}
+        typed = {name: as_seen(item, kind) for name, item in typed.items()}
+        others = {name: as_seen(item, kind) for name, item in others.items()}
     if "weight" in links:
         wanted.append(links["weight"].value)
     return typed, others, tuple(dict.fromkeys(wanted))
 
 
-def _as_seen(given: Input, kind: str) -> Input:
+def as_seen(given: Input, kind: str) -> Input:
     """Return an input of lumens, or an efficacy, as one of an observer's kind."""
     if given.unit is None or given.symbol.form != symbols.QUANTITY:
         return given
-    unit = kinds.as_seen(given.unit, kind)
+    unit = units_in.as_seen(given.unit, kind)
     symbol = given.symbol
     if symbol.kind == LUMINOUS and unit is not given.unit:
         symbol = symbols.symbol_in(symbol.generic, kind)._replace(name=given.name)

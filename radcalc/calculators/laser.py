@@ -131,7 +131,7 @@ def _note_diffraction(solved: Solved, profile: str) -> None:
     wave = solved.lit.links.get("wavelength")
     if wave is None or profile != GAUSSIAN or not solved.has("diameter"):
         return
-    least = 4 * spectral.light(wave, None).vacuum / (math.pi * solved.value("diameter"))
+    least = 4 * spectral.light(wave).vacuum / (math.pi * solved.value("diameter"))
     if any_true(solved.value("divergence") < least):
         solved.note(
             f"a waist of that diameter spreads by {format_number(1e3 * least, 3)} mrad or more, "

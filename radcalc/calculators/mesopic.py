@@ -1,6 +1,7 @@
 """Mesopic luminance by CIE 191:2010."""
 
 from radcalc.answer import Answer
+from radcalc.calculators.kinds import as_seen
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
@@ -8,6 +9,7 @@ from radcalc.errors import ConditionError, MissingInput, mention, quote
 from radcalc.inputs import Input, Inputs, require
 from radcalc.laws.photometry import MESOPIC_LAWS
 from radcalc.maths import any_true
+from radcalc.quantities.symbols import SCOTOPIC
 from radcalc.spectra.observers import OBSERVERS
 
 RESULTS = ("mesopic-luminance", "adaptation", "luminance", "scotopic-luminance", "sp-ratio")
@@ -36,6 +38,9 @@ HIGHEST = 1e12  # [cd/m2], above any source
 
 def mesopic(given: Inputs) -> Answer:
     """Return mesopic luminance, luminance and S/P ratio from any two of them."""
+    if "scotopic-luminance" in given:  # by its name, also in cd/m2
+        seen = as_seen(given["scotopic-luminance"], SCOTOPIC)
+        given = {**given, seen.name: seen}
     sheet, placed = worksheet(PAGE, given, with_light=False), Placed()
     if "luminance" in given:
         bright = any_true(given["luminance"].value > HIGHEST)

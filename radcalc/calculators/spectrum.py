@@ -140,6 +140,8 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     range (default: 400 nm to 700 nm; for lines, all).
     """
     source: Spectrum = given["spectrum"].value
+    if "dark-outside" in given and "weight" not in given and not {*requested} & {*OF_WEIGHTS}:
+        raise errors.Unused(["dark-outside"], "without a weight or a result of one")
     chosen = {name: item.value for name, item in given.items()}
     seen = kind_of_observer(chosen.get("observer", "photopic"))
     ranges = chosen.get("range"), chosen.get("photon-range")
@@ -153,7 +155,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     colour = colours(light, requested, _reference(given, requested))
     uncounted = _without_photons(source, counts)
     kinds = (RADIANT, seen) if uncounted else (RADIANT, seen, PHOTON)
-    of_weights, by_weights = weighted(counts, requested)
+    of_weights, by_weights, steps = weighted(counts, requested)
     values = [
         *_shape(counts, source.total()),
         *_efficacies(counts, seen),
@@ -175,7 +177,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     notes += _notes(source, counts, whole, bool(ranges[0]))
     if "dark-outside" in given:
         notes.append(f"{source.label} is taken as dark outside its data")
-    return Answer(values, assumptions, notes, _steps(counts, seen))
+    return Answer(values, assumptions, notes, [*_steps(counts, seen), *steps])
 
 
 def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:

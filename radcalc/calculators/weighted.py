@@ -6,11 +6,11 @@ The names of the alpha-opic results are those of CIE S 026: the efficacy of lumi
 
 from collections.abc import Sequence
 
-from radcalc.answer import Remark, Value
+from radcalc.answer import Formula, Remark, Step, Value
 from radcalc.calculators.kinds import of_kinds
 from radcalc.calculators.results import absent, value
 from radcalc.errors import RadcalcError
-from radcalc.quantities import KIND_NAMES, LUMINOUS, RADIANT
+from radcalc.quantities import KIND_NAMES, LUMINOUS, PHOTON, RADIANT, ratio_unit
 from radcalc.quantities.symbols import ALPHA_OPIC, light_unit, specific_name
 from radcalc.spectra import weights
 from radcalc.spectra.contents import Counts
@@ -27,9 +27,11 @@ ON_REQUEST = (*ELR, *DER, *EDI, "uv-index", *HAZARDS, R_TO_FR, *IRRADIANCES)
 RELATIVE = "the spectrum is relative"
 
 
-def weighted(counts: Counts, requested: Sequence[str]) -> tuple[list[Value], list[Remark]]:
-    """Return the requested results of weights of a light, with their assumptions."""
-    values, remarks = [], []
+def weighted(
+    counts: Counts, requested: Sequence[str]
+) -> tuple[list[Value], list[Remark], list[Step]]:
+    """Return the requested results of weights of a light, with their assumptions and steps."""
+    values, remarks, steps = [], [], []
     for name in [name for name in ON_REQUEST if name in requested]:
         try:
             values.append(_result(counts, name))
@@ -38,7 +40,28 @@ def weighted(counts: Counts, requested: Sequence[str]) -> tuple[list[Value], lis
             continue
         kinds = ("rs", "frs") if name == R_TO_FR else (_kind(name),)
         remarks += [Remark(described(kind), [name]) for kind in kinds]
-    return values, remarks
+        steps += [_step(counts, name, kind) for kind in kinds]
+    return values, remarks, [step for step in dict.fromkeys(steps) if step]
+
+
+def _step(counts: Counts, name: str, kind: str) -> Step | None:
+    """Return the step of a weighted amount, per lumen if the result is a ratio."""
+    own = weights.weight(kind) if weights.observer_of(kind) is None else None
+    if own is None:
+        return None
+    amount = counts.amount(kind)
+    by_energy = " lambda/(h c)" if own.acts_on == PHOTON else ""
+    integral = f"int(S w({KIND_NAMES[kind]}){by_energy} dlambda)"
+    unit = ratio_unit(kind, LUMINOUS).partition("/")[0]
+    formula = Formula(f"{KIND_NAMES[kind]} light", f"X = {integral}", own.source)
+    if name not in (*ELR, *DER, *HAZARDS):
+        return formula.with_numbers(f"X = {amount:.6g} {unit}")
+    lumens = counts.amount(LUMINOUS)
+    formula = formula._replace(template=f"K = {integral} / (Km int(S V dlambda))")
+    numbers = f"K = {amount:.6g} {unit} / {lumens:.6g} lm = {amount / lumens:.6g} {unit}/lm"
+    if name in DER:
+        numbers += f", {amount / lumens / daylight(kind):.6g} of {daylight(kind):.6g} in D65"
+    return formula.with_numbers(numbers)
 
 
 def described(kind: str) -> str:

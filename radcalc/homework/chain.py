@@ -375,7 +375,7 @@ def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Step
         values["pupil"] /= 1e-3
         factor_law = PUPIL._replace(constant=math.pi / 4)
     elif letter == "J" and "lambda" in factor.steps[0].formula:
-        values["wavelength"] = float(spectral.light(given["wavelength"], None).vacuum)
+        values["wavelength"] = float(spectral.light(given["wavelength"]).vacuum)
         text = factor.steps[0].formula.rpartition("= ")[2].replace("lambda", "{wavelength}")
         formula, power = f"J = {text}", 2.0 if text.startswith("{") else -2.0
         factor_law = _of_factor("density", formula, letter, ("wavelength", power))

@@ -79,7 +79,7 @@ class OfConstants(Unit):
             return None
         counted = "a photon" if photons else "a cycle"
         note = f"{counted} counts as 1 in a formula with c or h"
-        return resolve(_text(dimension)).of_class(Unit, *self.notes, note)
+        return resolve(text_of(dimension)).of_class(Unit, *self.notes, note)
 
 
 def value(name: str) -> float:
@@ -117,7 +117,7 @@ def quantity(dimension: Dimension, powers: dict[str, int]) -> Dimension:
 def unit(dimension: Dimension, units: dict[str, int]) -> OfConstants:
     """Return the unit for display of a product with constants."""
     plain = quantity(dimension, units)
-    made = resolve(_text(plain)).of_class(OfConstants)
+    made = resolve(text_of(plain)).of_class(OfConstants)
     made.powers = {name: power for name, power in units.items() if name in CONSTANTS}
     made.notes += tuple([NOTES[name] for name in made.powers if name in NOTES])
     return made
@@ -144,7 +144,7 @@ def _uncounted(powers: dict[str, int]) -> tuple[int, ...]:
     return (*places, ANGLE_AT) if REDUCED in powers else places
 
 
-def _text(dimension: Dimension) -> str:
+def text_of(dimension: Dimension) -> str:
     """Return the text of the coherent unit of a dimension: J, W/m2/K, lm or (J.m)."""
     text = COHERENT.get(dimension, "")
     if text and resolve(text).dimension == dimension:
