@@ -64,7 +64,7 @@ OTHER = {
     "etendue": "m2 sr", "far-field-etendue": "m2 sr", "na": "1",
     "receiver-radius": "m", "receiver-diameter": "m", "horizontal": "rad", "vertical": "rad",
     "wavelength": "m", "peak-wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
-    "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd/m2",
+    "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd_scot/m2",
     "sp-ratio": "1", "adaptation": "1", "upward-part": "1",
     "relative-axial-intensity": "1", "relative-peak-intensity": "1",
     "weighted-solid-angle": "sr", "azimuth": "rad", "beam-diameter": "m",

@@ -13,7 +13,7 @@ from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import measured_in, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import KIND_NAMES, place_of, read, symbols
+from radcalc.quantities import KIND_NAMES, LUMINOUS, base_of, place_of, read, symbols
 from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
@@ -98,6 +98,8 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         for other in among:  # the same light in another kind
             if other.because and unit.dimension in other.dimensions:
                 raise other.because
+        if (seen := kinds_of_lumens(value, unit)) and seen[0] != seen[1]:
+            raise _of_other_eyes(value, unit, *seen)
         own_grid, wanted_grid = place_of(value.dimensions[0]), place_of(unit.dimension)
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
@@ -110,6 +112,21 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     return check_representable(
         value.name, amount * (float(ratio) if is_array(amount) else ratio), amount
     )
+
+
+def kinds_of_lumens(value: Value, unit: Unit) -> tuple[str, str] | None:
+    """Return the kinds of the lumens of a result and of a unit; None if one is of other light."""
+    places = [place_of(dimension) for dimension in (value.dimensions[0], unit.dimension)]
+    kinds = [place[0] for place in places if place and base_of(place[0]) == LUMINOUS]
+    return (kinds[0], kinds[1]) if len(kinds) > 1 else None
+
+
+def _of_other_eyes(value: Value, unit: Unit, own: str, other: str) -> errors.UsageError:
+    """Return the error for a result of an observer in the lumens of another one."""
+    eyes = f"lumens of {KIND_NAMES[own]} eyes"
+    typed = f"{value.name}:{unit.text}"
+    instead = errors.correct(typed, f"{value.name}:{value.units[0]}")
+    return errors.UsageError(f"{value.name} is in {eyes}, not in {quote(unit.text)}", instead)
 
 
 def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> errors.UsageError:

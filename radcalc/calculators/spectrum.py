@@ -9,8 +9,8 @@ from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nan
 from radcalc.calculators.kinds import of_kinds
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
+from radcalc.calculators.weighted import OF_IRRADIANCE, described, of_weight, weighted
 from radcalc.calculators.weighted import ON_REQUEST as OF_WEIGHTS
-from radcalc.calculators.weighted import described, of_weight, weighted
 from radcalc.errors import option
 from radcalc.inputs import Inputs
 from radcalc.quantities import (
@@ -163,7 +163,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         *colour.values,
         *of_weights,
         *(of_weight(counts, chosen["weight"]) if "weight" in chosen else ()),
-        *[on_request(name) for name in PAGE.on_request if name not in requested],
+        *[on_request(name) for name in _further(source) if name not in requested],
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
         *uncounted,
     ]
@@ -178,6 +178,12 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     if "dark-outside" in given:
         notes.append(f"{source.label} is taken as dark outside its data")
     return Answer(values, assumptions, notes, [*_steps(counts, seen), *steps])
+
+
+def _further(source: Spectrum) -> list[str]:
+    """Return the results on request that a spectrum can have."""
+    relative = () if source.absolute == "irradiance" else OF_IRRADIANCE
+    return [name for name in PAGE.on_request if name not in relative]
 
 
 def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
@@ -329,7 +335,11 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
                 label="radiant exitance", letter="M_e"
             ),
             _of_light("radiance", RADIANT, leaving)._replace(letter="L_e"),
-            *[_of_light("radiance", kind, leaving) for kind in amounts if base_of(kind) == LUMINOUS],
+            *[
+                _of_light("radiance", kind, leaving)
+                for kind in amounts
+                if base_of(kind) == LUMINOUS
+            ],
             value("temperature", source.temperature),
         ]
     if source.absolute:

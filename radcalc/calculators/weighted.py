@@ -23,7 +23,8 @@ ELR = {f"{name}-elr": kind for kind, name in ALPHA_OPIC.items()}
 DER = {f"{name}-der": kind for kind, name in ALPHA_OPIC.items()}
 HAZARDS = {"actinic-uv-elr": "act", "blue-light-elr": "blh"}
 R_TO_FR = "r-fr-smith10"
-ON_REQUEST = (*ELR, *DER, *EDI, "uv-index", *HAZARDS, R_TO_FR, *IRRADIANCES)
+OF_IRRADIANCE = (*EDI, "uv-index", *IRRADIANCES)  # of a spectrum that is an irradiance
+ON_REQUEST = (*ELR, *DER, *HAZARDS, R_TO_FR, *OF_IRRADIANCE)
 RELATIVE = "the spectrum is relative"
 
 
@@ -84,7 +85,7 @@ def _result(counts: Counts, name: str) -> Value:
             return absent(name, "it has no light from 725 nm to 735 nm", "another spectrum")
         return value(name, counts.amount("rs") / far_red)
     kind = _kind(name)
-    if name in IRRADIANCES or name in EDI or name == "uv-index":
+    if name in OF_IRRADIANCE:
         if counts.source.absolute != "irradiance":
             instead = name.replace("-edi", "-elr")
             others = [instead] if instead in ELR else []

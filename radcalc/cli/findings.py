@@ -44,7 +44,6 @@ SENTENCE_END = re.compile(r"(?<=[\w)])\. ")
 # Subjects that radcalc does not cover, with their words, and the nearest command.
 NOT_COVERED = {
     "light in absorbing media": ("absorbing absorption extinction complex index", "refraction"),
-    "melanopic light": ("melanopic alpha-opic circadian edi medi", "spectrum"),
 }
 OTHER_NAMES = re.compile(r" \(also --[^)]*\)|; also --[^)]*(?=\))")  # of an option, for one kind
 

@@ -31,6 +31,7 @@ from radcalc.quantities.names import full_name, offered
 from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing
 from radcalc.units import NUMBER, OWN, Dimension, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.table import resolve
 from radcalc.units.values import on
@@ -129,6 +130,8 @@ class _Rows:
             return symbols.QUANTITY, (example, self.quantities(symbols.SYMBOLS[parts])[:1])
         if form == symbols.UNIT:
             return symbols.UNIT, self.quantities(symbols.SYMBOLS["radiance"])
+        if form == symbols.WEIGHT:
+            return form, tuple([row[0] for row in WEIGHTS.values()])
         if form in (symbols.DISTRIBUTION, symbols.SPECTRUM):
             return form, symbols.DISTRIBUTIONS if form == symbols.DISTRIBUTION else ()
         return symbols.WORD, (example,) if example else ()

@@ -288,6 +288,10 @@ def _place(text: str, endings: "Sequence[str]") -> int:
     return next((k for k, ending in enumerate(endings) if text.endswith(ending)), len(endings))
 
 
+def _weights(names: "Sequence[str]", incomplete: str) -> list[Completion]:
+    return starting(names, incomplete) + files(ENDINGS["spectrum"], incomplete)
+
+
 READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "choice": starting,
     "quantity": _quantities,
@@ -296,6 +300,7 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "result": _results,
     "claim": _claims,
     "spectrum": _spectra,
+    "weight": _weights,
     "distribution": _distributions,
     "environment": _environments,
     "file": files,

@@ -264,7 +264,9 @@ def spectral_factor(given: Input, over: str, under: str, refined: Refined) -> Fa
         elif limits := weights.range_of(kind):
             remarks.append("{} weight over {:g}-{:g} nm".format(KIND_NAMES[kind], *limits))
     amounts = {kind: counted.amount(kind) for kind in (over, under)}
-    if not all(amount > 0 or kind not in (under, *counted.ranges) for kind, amount in amounts.items()):
+    if not all(
+        amount > 0 or kind not in (under, *counted.ranges) for kind, amount in amounts.items()
+    ):
         spectrum_text = option("spectrum", quote(given.text))
         known_range = f"; it is known over {counted.known}" if counted.known else ""
         raise errors.ConditionError(
@@ -317,7 +319,9 @@ def _spectral_step(amounts: dict[str, float], over: str, under: str) -> tuple[St
     )
     is_usual = (over, under) in SHOWN or (over in WEIGHTS and (under, over) not in SHOWN)
     top, bottom = (over, under) if is_usual else (under, over)
-    in_words = weights.ratio_text(amounts[top] / amounts[bottom], top, bottom) if amounts[bottom] else ""
+    in_words = (
+        weights.ratio_text(amounts[top] / amounts[bottom], top, bottom) if amounts[bottom] else ""
+    )
     value = format_number(amounts[over] / amounts[under])
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
     return formula.with_numbers(f"K = {ratio} = {value}; that is {in_words}"), in_words

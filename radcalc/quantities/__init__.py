@@ -134,6 +134,7 @@ def in_words(kind: str, names: tuple[str, ...]) -> str:
     name = names[KINDS.index(base_of(kind))]
     return f"{KIND_NAMES[kind]} {name}" if kind in WEIGHTS else name
 
+
 OTHERS = {
     NUMBER: ("number", ""),
     dimensions.LENGTH: ("length", "l"),

@@ -47,8 +47,7 @@ def weighted(unit: Unit, kind: str) -> Unit:
 
 def _in_kind(unit: Unit, kind: str) -> Unit:
     """Return a unit in a weighted kind: with the suffix of the kind at its light."""
-    word = WEIGHTS[kind][0].replace("-", "_")  # a name without digits, or the kind itself
-    texts = [f"{word}_{unit.text.lower()}", f"{kind}_{unit.text.lower()}"]
+    texts = [f"{WEIGHTS[kind][3]}_{unit.text.lower()}"]
     for start, c in enumerate(unit.text):
         if c.isalpha() and not unit.text[max(start - 1, 0) : start].isalpha():
             texts.append(unit.text[:start] + with_suffix(unit.text[start:], kind))

@@ -27,11 +27,13 @@ from radcalc.quantities import (
     base_of,
     is_per_length,
     name_of,
+    own_name,
     read,
     with_suffix,
 )
-from radcalc.units import Dimension, Unit
+from radcalc.units import WEIGHT_AT, Dimension, Unit
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.table import resolve
 
 
 class Quantity(NamedTuple):
@@ -52,9 +54,7 @@ class Quantity(NamedTuple):
         return (self.names(language) or self.names("en"))[0]
 
 
-def data_rows(
-    name: str, folder: str = "quantities/data", titles: bool = False
-) -> list[list[str]]:
+def data_rows(name: str, folder: str = "quantities/data", titles: bool = False) -> list[list[str]]:
     """Return the rows of a table of the package, below remarks and titles, with all their cells.
 
     With `titles` it is the row of titles alone.
@@ -211,9 +211,16 @@ def named(dimension: Dimension) -> list[str]:
 
 
 def offered(unit: Unit) -> list[str]:
-    """Return `units_of` in the order of use: symbols, products, names without a symbol."""
-    spellings = units_of(unit)
-    return sorted(spellings, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
+    """Return `units_of` in the order of use: symbols, products, names without a symbol.
+
+    Symbols of a quantity with a name of its own (UVI) are after the products of a weight.
+    """
+
+    def place(text: str) -> int:
+        is_own = bool(unit.dimension[WEIGHT_AT]) and bool(own_name(resolve(text)))
+        return 2 if text in NAMES else "/" in text or "." in text or is_own
+
+    return sorted(units_of(unit), key=place)
 
 
 def full_name(unit: Unit) -> str:

@@ -452,7 +452,9 @@ def _target(quantity: Quantity, note: str = "") -> Target:
     reading = read(resolve(quantity.unit))
     unit = quantity.unit
     if reading and not reading.axis and not reading.retinal:
-        unit = with_suffix(LIGHT_UNITS[reading.geometry][0][KINDS.index(base_of(reading.kind))], reading.kind)
+        unit = with_suffix(
+            LIGHT_UNITS[reading.geometry][0][KINDS.index(base_of(reading.kind))], reading.kind
+        )
     name = quantity.name(ENGLISH)
     return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
 

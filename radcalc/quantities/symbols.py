@@ -847,7 +847,13 @@ EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
-REFINEMENTS = ("observer", "weight", "range", "photon-range", "dark-outside")  # inputs that only refine a link
+REFINEMENTS = (
+    "observer",
+    "weight",
+    "range",
+    "photon-range",
+    "dark-outside",
+)  # inputs that only refine a link
 
 
 def names_of_kinds(generic: str) -> tuple[str, ...]:

@@ -56,9 +56,7 @@ def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> 
     return trapezoid(*clip(grid, values, low, high))
 
 
-def moments(
-    grid: Grid, values: Grid, start: float, count: int, step: float = 1.0
-) -> list[float]:
+def moments(grid: Grid, values: Grid, start: float, count: int, step: float = 1.0) -> list[float]:
     """Return the weights whose sum of products with any weighting is its integral over the table.
 
     The weighting is linear between `count` points, `step` nanometres apart, from `start`.

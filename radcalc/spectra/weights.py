@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from radcalc.spectra.spectrum import Range, Spectrum
 
+
 class Weight(NamedTuple):
     """A weight: w at points from `start` [nm] at equal steps, 0 outside, and its source.
 
@@ -108,7 +109,7 @@ def weight(kind: str) -> Weight:
     """Return the weight of a kind that is not of an observer."""
     if kind in OWN:
         return OWN[kind]
-    name, _, base, adjective, table, low, high, _, source = _rows()[kind]
+    name, _, _, base, adjective, table, low, high, _, source = _rows()[kind]
     first, last, step = float(low), float(high), STEPS.get(table, 1.0)
     grid = [first + step * k for k in range(round((last - first) / step) + 1)]
     values = map(FORMULAS.get(table) or _of_table(table, name), grid)
@@ -183,7 +184,7 @@ def count(source: "Spectrum", kind: str) -> float:
 
 
 def _is_band(kind: str) -> bool:
-    return kind not in OWN and _rows()[kind][4] == "band"
+    return kind not in OWN and _rows()[kind][5] == "band"
 
 
 def range_of(kind: str) -> "Range | None":

@@ -808,7 +808,9 @@ class Calculator(Scanner):
         return Value(top, bottom, blur=blur)
 
     def root(self, value: Value, call: str) -> Value:
-        if value.top < 0 or any(power % 2 for power in (*value.dimension, *weights_of(value.dimension).values())):
+        if value.top < 0 or any(
+            power % 2 for power in (*value.dimension, *weights_of(value.dimension).values())
+        ):
             raise self.wrong(f"has no value for {call}", "a square, such as 4 m2")
         from radcalc.units import functions
 

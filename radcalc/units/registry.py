@@ -40,6 +40,7 @@ class Weight(NamedTuple):
 
     name: str
     suffix: str
+    word: str
     base: str
     adjective: str
     table: str
@@ -51,10 +52,9 @@ class Weight(NamedTuple):
     def definitions(self) -> list[str]:
         """Return the definitions of its units, with their marks; the first is of its base unit."""
         lines = [f"{self.base_unit} = [{self.base_unit}]"]
-        word = self.suffix if any(map(str.isdigit, self.name)) else self.name.replace("-", "_")
         for symbol, name in UNITS_OF_BASES[self.base]:
             lines += [f"#: {self.source}", f"#~ {PREFIXES.get(symbol, '')}"]
-            lines.append(f"{word}_{name} = {name} * {self.base_unit} = {symbol}_{self.suffix}")
+            lines.append(f"{self.word}_{name} = {name} * {self.base_unit} = {symbol}_{self.suffix}")
         for text in filter(None, self.units.split("; ")):
             definition, _, rest = text.partition(" : ")
             definition, _, prefixes = definition.partition(" ~ ")
@@ -122,7 +122,11 @@ class LightRegistry(Registry):
         """Define a unit of the user's definitions in Pint."""
         rows = read_weights()
         base = [
-            *[f"{unit}**{power}" for unit, power in zip(BASE_UNITS, dimension, strict=False) if power],
+            *[
+                f"{unit}**{power}"
+                for unit, power in zip(BASE_UNITS, dimension, strict=False)
+                if power
+            ],
             *[f"{rows[k].base_unit}**{power}" for k, power in weights_of(dimension).items()],
         ]
         self.closed = False
@@ -177,7 +181,10 @@ def light_registry() -> LightRegistry:
 def exact_registry() -> Registry:
     """Build a registry with exact fractions as factors; a name defined twice is an error."""
     return Registry(
-        definitions().splitlines(), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
+        definitions().splitlines(),
+        non_int_type=Fraction,
+        cache_folder=None,
+        on_redefinition="raise",
     )
 
 
@@ -297,8 +304,8 @@ def compile_units(text: str) -> tuple[str, str]:
         f"NOTES = {_lines({u.name: u.note for u in definitions.units if u.note})}\n"
         f"CONSTANTS = {_lines({c.name: worth(registry, c.name) for c in definitions.constants})}\n"
         f"SPELLINGS_OF_CONSTANTS = {_lines(_constants(definitions))}\n"
-        f"# suffix: (name, base, adjective), in the order of the places\n"
-        f"WEIGHTS = {_lines({row.suffix: row[:1] + row[2:4] for row in rows})}\n"
+        f"# suffix: (name, base, adjective, word), in the order of the places\n"
+        f"WEIGHTS = {_lines({row.suffix: (row.name, row.base, row.adjective, row.word) for row in rows})}\n"
         f"QUANTITIES = {_lines({k: v for row in rows for k, v in row.names().items()})}\n"
         f"REFUSED = {_lines(definitions.refused)}\n"
         f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
