@@ -303,7 +303,7 @@ def name_of(unit: Unit) -> str:
 
 
 def own_name(unit: Unit) -> str:
-    """Return the name of the quantity of a unit that has one of its own: UV index; '' for others."""
+    """Return the name of a quantity with a unit of its own: UV index; '' for other units."""
     if len(unit.atoms) != 1 or not unit.dimension[WEIGHT_AT] or unit.atoms[0][1] != 1:
         return ""
     (name, _), *_ = unit.atoms
@@ -346,7 +346,7 @@ COHERENT_HEADS = {
 
 
 def with_suffix(text: str, kind: str) -> str:
-    """Return the text of a unit in a weighted kind: lx_scot/sr, photon_ypf/s; as it is in others."""
+    """Return the text of a unit in a weighted kind (lx_scot/sr, photon_ypf/s) or in another."""
     if kind not in WEIGHTS:
         return text
     end = next((k for k, c in enumerate(text) if not c.isalpha()), len(text))

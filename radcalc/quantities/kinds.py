@@ -1,4 +1,4 @@
-"""Units in a kind of light that an observer or a weight determines: lm of scotopic eyes, lm_scot."""
+"""Units in the kind of light of an observer or a weight: lumens of scotopic eyes, lm_scot."""
 
 from radcalc.errors import UnitError, quote
 from radcalc.quantities import (

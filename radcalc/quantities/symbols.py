@@ -95,7 +95,7 @@ UNIT, WORD = "unit", "word"
 
 
 class InKinds(tuple[Dimension, ...]):
-    """The dimensions of a light quantity, or of a ratio of kinds; those of weights are in it, too."""
+    """The dimensions of a light quantity or a ratio of kinds; those of weights are in it."""
 
     __slots__ = ()
 
@@ -745,9 +745,8 @@ def _of_light(
     """Return the row of a light quantity, by its generic name (no kind) or its name of one kind."""
     _, geometry, letter, help_, _ = row
     unit = light_unit(generic, kind or LUMINOUS)
-    dimensions = InKinds([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)])
-    if kind:
-        dimensions = tuple(dimensions)
+    own = [light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)]
+    dimensions = tuple(own) if kind else InKinds(own)
     label = name.replace("-", " ")
     if kind and help_:
         what, mark, more = help_.partition(";")
@@ -804,7 +803,7 @@ class Vocabulary(dict[str, Symbol]):
         generic, kind = _weighted_names()[name]
         return _of_light(name, generic, kind, _LIGHT_ROWS[generic])
 
-    def get(self, name: str, default: Any = None) -> Any:  # type: ignore[override]
+    def get(self, name: str, default: Any = None) -> Any:
         """Return a symbol, also of weighted light, or the default."""
         return self[name] if name in self or name in _weighted_names() else default
 

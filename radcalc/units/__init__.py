@@ -32,8 +32,8 @@ BASES = (
 )
 MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # places in BASES
 WEIGHT_AT, CURRENT_AT = 10, 9
-# The exponent of `weight` has the exponents of all weights of spectra as digits, from -32 to 31, one
-# at the place of each: one slot of the dimension has (weight, exponent).
+# The exponent of `weight` has the exponents of all weights of spectra as digits, from -32 to 31,
+# one at the place of each: one slot of the dimension has (weight, exponent).
 WEIGHT_BASE = 64
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)

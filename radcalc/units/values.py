@@ -162,7 +162,7 @@ def text_of(dimension: Dimension) -> str:
 
 
 def base_units(dimension: Dimension) -> dict[str, int]:
-    """Return the base units of a dimension with their powers; a weight is that of a ratio: W_mel/W."""
+    """Return the base units of a dimension with their powers; a weight is a ratio: W_mel/W."""
     powers = {name: n for name, n in zip(BASE_UNITS, dimension, strict=False) if n}
     for place, power in weights_of(dimension).items():
         suffix = SUFFIXES[place]
