@@ -29,7 +29,7 @@ from radcalc.quantities import (
     ratio_unit,
     symbols,
 )
-from radcalc.quantities import kinds as units_in
+from radcalc.quantities import names as units_in
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units import Dimension

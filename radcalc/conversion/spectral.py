@@ -24,13 +24,13 @@ from radcalc.quantities import (
     describe,
     is_per_length,
     kind_of_observer,
-    kinds,
     name_of,
+    names,
     ratio_of,
     ratio_unit,
 )
 from radcalc.quantities.symbols import EFFICACIES
-from radcalc.spectra import weights
+from radcalc.spectra import observers as weights
 from radcalc.spectra.observers import (
     LIGHT,
     PLANCK,
@@ -220,14 +220,14 @@ def in_kinds(
     for condition in given:
         if condition.name == "observer":
             kind = kind_of_observer(condition.value)
-            source, target = kinds.as_seen(source, kind), kinds.as_seen(target, kind)
+            source, target = names.as_seen(source, kind), names.as_seen(target, kind)
             given = [_efficacy_as_seen(one, kind) for one in given]
             lumens = [one.unit for one in given if one.name == "efficacy" and one.unit]
-            if not any(kinds.is_seen(unit, kind) for unit in (source, target, *lumens)):
+            if not any(names.is_seen(unit, kind) for unit in (source, target, *lumens)):
                 raise errors.Unused(["observer"], "without lumens")
         elif condition.name == "weight":
-            target = kinds.weighted(target, condition.value)
-            if not kinds.is_seen(target, condition.value):
+            target = names.weighted(target, condition.value)
+            if not names.is_seen(target, condition.value):
                 where = f"to {describe(target)}"
                 raise errors.Unused(["weight"], where)
     others = [one for one in given if one.name not in ("observer", "weight")]
@@ -238,7 +238,7 @@ def _efficacy_as_seen(given: Input, kind: str) -> Input:
     """Return an efficacy of lumens as that of the lumens of an observer's kind."""
     if given.name != "efficacy" or given.unit is None:
         return given
-    unit = kinds.as_seen(given.unit, kind)
+    unit = names.as_seen(given.unit, kind)
     return given._replace(unit=unit, dimension=unit.dimension)
 
 

@@ -253,8 +253,7 @@ def between_kinds(
     powers: Powers = []
     if "wavelength" in given:
         from radcalc.laws import optics
-        from radcalc.spectra.observers import luminous_efficacy
-        from radcalc.spectra.weights import observer_of
+        from radcalc.spectra.observers import luminous_efficacy, observer_of
 
         light = spectral.light(given["wavelength"])
         if eye := observer_of(start) or observer_of(end):

@@ -364,7 +364,7 @@ def _is_length(text: str) -> bool:
 
 def weight_input(symbol: Symbol, value: Any) -> Input:
     """Read the name of a weight, or a file with one; its value is its kind."""
-    from radcalc.spectra.weights import kind_of
+    from radcalc.spectra.observers import kind_of
 
     text = str(value).strip()
     return Input(symbol, text, kind_of(text))

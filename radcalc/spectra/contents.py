@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import TooNarrow, option
 from radcalc.quantities import KIND_NAMES, LUMINOUS, PHOTON, RADIANT, base_of
-from radcalc.spectra import weights
+from radcalc.spectra import observers as weights
 from radcalc.spectra.column_titles import Meaning
 from radcalc.spectra.observers import AVOGADRO, OBSERVERS
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, Table, range_text

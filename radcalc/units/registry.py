@@ -127,12 +127,8 @@ class LightRegistry(Registry):
         """Define a unit of the user's definitions in Pint."""
         rows = read_weights()
         base = [
-            *[
-                f"{unit}**{power}"
-                for unit, power in zip(BASE_UNITS, dimension, strict=False)
-                if power
-            ],
-            *[f"{rows[k].base_unit}**{power}" for k, power in weights_of(dimension).items()],
+            *zip(BASE_UNITS, dimension, strict=False),
+            *[(rows[place].base_unit, power) for place, power in weights_of(dimension).items()],
         ]
         self.closed = False
         try:
