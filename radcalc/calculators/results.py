@@ -13,10 +13,10 @@ from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import measured_in, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import KIND_NAMES, LUMINOUS, base_of, place_of, read, symbols
+from radcalc.quantities import KIND_NAMES, OBSERVERS, place_of, ratio_of, read, symbols
 from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
-from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
+from radcalc.quantities.names import LABELS, QUANTITIES, Quantity, as_seen
 from radcalc.quantities.search import called, comparable, label_of, symbol_key
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, is_alone, light_unit
 from radcalc.units import INVERSE_TEMPERATURE, NUMBER, Dimension, Unit
@@ -98,8 +98,6 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         for other in among:  # the same light in another kind
             if other.because and unit.dimension in other.dimensions:
                 raise other.because
-        if (seen := kinds_of_lumens(value, unit)) and seen[0] != seen[1]:
-            raise _of_other_eyes(value, unit, *seen)
         own_grid, wanted_grid = place_of(value.dimensions[0]), place_of(unit.dimension)
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
@@ -114,19 +112,12 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     )
 
 
-def kinds_of_lumens(value: Value, unit: Unit) -> tuple[str, str] | None:
-    """Return the kinds of the lumens of a result and of a unit; None if one is of other light."""
-    places = [place_of(dimension) for dimension in (value.dimensions[0], unit.dimension)]
-    kinds = [place[0] for place in places if place and base_of(place[0]) == LUMINOUS]
-    return (kinds[0], kinds[1]) if len(kinds) > 1 else None
-
-
-def _of_other_eyes(value: Value, unit: Unit, own: str, other: str) -> errors.UsageError:
-    """Return the error for a result of an observer in the lumens of another one."""
-    eyes = f"lumens of {KIND_NAMES[own]} eyes"
-    typed = f"{value.name}:{unit.text}"
-    instead = errors.correct(typed, f"{value.name}:{value.units[0]}")
-    return errors.UsageError(f"{value.name} is in {eyes}, not in {quote(unit.text)}", instead)
+def of_eyes(value: Value, unit: Unit) -> Unit:
+    """Return a unit of lumens for a result of an observer as one of its own lumens."""
+    own = value.dimensions[0]
+    place, pair = place_of(own), ratio_of(own)
+    kinds = [kind for kind in (*(place or ())[:1], *(pair or ())) if kind in OBSERVERS.values()]
+    return as_seen(unit, kinds[0]) if kinds else unit
 
 
 def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> errors.UsageError:
@@ -298,7 +289,8 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
             text = value.units[0]
             number = _in_shown_unit(value, text)
         else:
-            unit = unit_for(value, text, constants_of(values))
+            unit = of_eyes(value, unit_for(value, text, constants_of(values)))
+            text = text if unit.is_scale else unit.text
             number = in_unit(value, unit, values)
             if unit.dimension not in value.dimensions and not unit.is_scale:
                 label, letter = of_kind(value, unit)

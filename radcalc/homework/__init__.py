@@ -13,6 +13,7 @@ from radcalc.calculators.results import (
     fits,
     in_unit,
     name_in,
+    of_eyes,
     of_kind,
     pick,
     results_meant,
@@ -37,7 +38,7 @@ from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import DIFFERENCES, measured_in
 from radcalc.quantities import describe
 from radcalc.quantities.symbols import READINGS
-from radcalc.units import NUMBER, Unit
+from radcalc.units import NUMBER, WEIGHT_AT, Unit
 from radcalc.units.scale_table import BY_SPELLING, Scale
 from radcalc.units.values import ScaleUnit, degree
 
@@ -434,26 +435,31 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
             problem = f"{typed} is ambiguous: it may answer several results"
             raise ConditionError(problem, _ways(pool, claim))
         return fitting
-    return [_reading(question, v, claim.unit) for v in _fitting(question, pool, claim.unit)]
+    is_named = bool(claim.name)
+    fitting = _fitting(question, pool, claim.unit, is_named)
+    return [_reading(question, value, claim.unit, is_named) for value in fitting]
 
 
-def _fitting(question: Question, values: Sequence[Value], text: str) -> list[Value]:
+def _fitting(question: Question, values: Sequence[Value], text: str, is_named: bool) -> list[Value]:
     """Return the results that can be in a unit, those that are shown in it first."""
     differences = [v for v in values if v.name in DIFFERENCES] if degree(text) else []
-    found = [(value, _unit_for(question, value, text)) for value in differences or values]
+    found = [(value, _unit_for(question, value, text, is_named)) for value in differences or values]
     fitting = [(value, unit) for value, unit in found if fits(value, unit)]
     fitting.sort(key=lambda f: (text not in f[0].units, f[1].dimension not in f[0].dimensions))
     return [value for value, _ in fitting]
 
 
-def _unit_for(question: Question, value: Value, text: str) -> Unit:
-    return unit_for(value, text, {name: given.value for name, given in question.given.items()})
+def _unit_for(question: Question, value: Value, text: str, is_named: bool) -> Unit:
+    """Return the unit of an answer: lumens are an observer's if the call or the answer names it."""
+    unit = unit_for(value, text, {name: given.value for name, given in question.given.items()})
+    return of_eyes(value, unit) if is_named or "observer" in question.given else unit
 
 
-def _reading(question: Question, target: Value, text: str) -> Reading:
+def _reading(question: Question, target: Value, text: str, is_named: bool = True) -> Reading:
     """Return a result in a unit, or its reading on a scale."""
-    unit = _unit_for(question, target, text)
+    unit = _unit_for(question, target, text, is_named)
     scale = unit if isinstance(unit, ScaleUnit) else None
+    text = unit.text if unit.dimension[WEIGHT_AT] else text
     unit = scale.unit if scale else unit
     size = in_unit(target, unit)
     if not isinstance(size, float):
