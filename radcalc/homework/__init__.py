@@ -440,7 +440,9 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
     return [_reading(question, value, claim.unit, is_named) for value in fitting]
 
 
-def _fitting(question: Question, values: Sequence[Value], text: str, is_named: bool) -> list[Value]:
+def _fitting(
+    question: Question, values: Sequence[Value], text: str, is_named: bool = True
+) -> list[Value]:
     """Return the results that can be in a unit, those that are shown in it first."""
     differences = [v for v in values if v.name in DIFFERENCES] if degree(text) else []
     found = [(value, _unit_for(question, value, text, is_named)) for value in differences or values]

@@ -32,7 +32,7 @@ from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, base_of, place_of, read, symbol_of
-from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
+from radcalc.quantities.symbols import EFFICACIES, SYMBOLS, weighted_generic
 
 Steps = list[tuple[AnyLaw, str]]
 Powers = list[tuple[str, float]]
@@ -191,7 +191,7 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
     steps: Steps = list(solution.used)
     if goal not in values:
         symbol = SYMBOLS.get(goal) or SYMBOLS[target.also]  # of the radiant results: radiant-...
-        goal = SAME.get(goal) or symbol.generic or goal
+        goal = SAME.get(goal) or symbol.generic or weighted_generic(goal) or goal
     if goal not in values and goal in CONE.targets and "solid-angle" in values:
         values[goal] = float(CONE.solve(goal, values.__getitem__))  # of the equal cone
         steps.append((CONE, goal))

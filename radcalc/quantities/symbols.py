@@ -815,6 +815,11 @@ def _weighted_names() -> dict[str, tuple[str, str]]:
     return {name: (generic, kind) for name, generic, kind in names}
 
 
+def weighted_generic(name: str) -> str:
+    """Return the generic name of weighted light; '' for another name."""
+    return _weighted_names().get(name, ("", ""))[0]
+
+
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
 SYMBOLS: dict[str, Symbol] = Vocabulary({symbol.name: symbol for symbol in (*_ROWS, *_INNER)})
 # The intensity that corresponds to 1 in a relative distribution.
