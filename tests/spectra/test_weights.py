@@ -1,0 +1,353 @@
+"""The weights of spectra: check values, units that never mix, independent quadratures."""
+
+import csv
+import math
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT, run
+from helpers import for_each
+
+import radcalc
+from radcalc.conversion.plan import plan
+from radcalc.errors import RadcalcError
+from radcalc.quantities import name_of, place_of, ratio, ratio_of, ratio_unit
+from radcalc.spectra.observers import OBSERVERS, count, observer_of, weight
+from radcalc.spectra.sources import spectrum
+from radcalc.units import WEIGHT_AT
+from radcalc.units.compiled import WEIGHTS
+from radcalc.units.dimensions import weights_of
+from radcalc.units.table import resolve
+
+DATA = ROOT / "radcalc" / "spectra" / "data"
+H, C, N_A = 6.62607015e-34, 299792458.0, 6.02214076e23
+
+
+def number(words):
+    done = run(*shlex.split(words))
+    assert done.returncode == 0, done.stderr
+    return float(done.stdout.split()[0])
+
+
+# CIE S 026/E:2018, table 3: mW/lm of D65 (the values of the CIE's toolbox have one digit more).
+OF_D65 = {
+    "melanopic": 1.32621,
+    "l-cone-opic": 1.6289,
+    "m-cone-opic": 1.4558,
+    "s-cone-opic": 0.8173,
+    "rhodopic": 1.4497,
+}
+
+
+@pytest.mark.parametrize(("name", "expected"), OF_D65.items())
+def test_the_alpha_opic_efficacies_of_daylight(name, expected):
+    digits = 5e-6 if name == "melanopic" else 5e-5
+    assert number(f"spectrum D65 -g {name}-elr") == pytest.approx(expected, abs=digits)
+    assert number(f"spectrum D65 -g {name}-der") == pytest.approx(1, rel=1e-12)
+
+
+# Sums of the same tables with numpy: A by its formula, LED-B3 by linear interpolation; luxpy
+# 1.12.5 has 0.5621 for FL11, whose lines the interpolation moves.
+DER = {
+    "A": (0.49575, 1e-4),
+    "E": (0.90582, 5e-6),
+    "LED-B3": (0.63257, 5e-6),
+    "FL11": (0.5636, 2e-3),
+}
+
+
+@pytest.mark.parametrize(("source", "expected", "off"), [(k, *v) for k, v in DER.items()])
+def test_the_melanopic_daylight_efficacy_ratio(source, expected, off):
+    assert number(f"spectrum {source} -g melanopic-der") == pytest.approx(expected, abs=off)
+
+
+def test_a_room_under_a_tungsten_lamp():
+    """100 lx of illuminant A: 65.746 mW/m2 melanopic, the sum of its formula."""
+    assert number("100 lx mW_mel/m2 --spectrum A") == pytest.approx(65.746, rel=1e-4)
+    assert number("100 lx melanopic-edi --spectrum A") == pytest.approx(49.575, rel=1e-4)
+    assert number("100 lx lx_mel --spectrum D65") == pytest.approx(100, rel=1e-12)
+    assert number("100 lx EML --spectrum D65") == pytest.approx(100 / 0.9058, rel=1e-11)
+
+
+def test_the_uv_index_of_the_sun():
+    """0.092247 W/m2 erythemal: the trapezoids of ASTM G173-03, every 0.5 nm; 40 m2/W times it."""
+    assert number("spectrum AM1.5G -g erythemal-irradiance") == pytest.approx(0.092247, abs=5e-7)
+    assert number("spectrum AM1.5G -g uv-index") == pytest.approx(3.690, abs=5e-4)
+    assert number("'1000.3707 W/m2' UVI --spectrum AM1.5G") == pytest.approx(3.690, abs=1e-3)
+    assert number("1 SED J_ery/m2") == 100
+    assert number("8 UVI mW_ery/m2") == 200
+
+
+def test_the_erythema_action_spectrum_is_continuous():
+    """ISO/CIE 17166: 140, not 139, in the last exponent; 139 would be 3.4 % lower."""
+    own = weight("ery")
+    assert own.range == (250, 400)
+    assert own.at(298.0) == own.at(250.0) == 1
+    below, above = own.at(328.0), 10 ** (0.015 * (140 - 328))
+    assert below == pytest.approx(above, rel=1e-12)
+    assert 10 ** (0.015 * (139 - 328)) / above == pytest.approx(0.966, abs=1e-3)
+    assert own.at(400.5) == own.at(249.5) == 0
+
+
+# ICNIRP 2004, table 1; ICNIRP 2013, table 2; McCree 1972, table IV.
+POINTS = {
+    "act": {200: 0.03, 254: 0.5, 270: 1.0, 300: 0.3, 315: 0.003, 365: 0.00011, 400: 3e-5},
+    "blh": {380: 0.01, 400: 0.1, 435: 1.0, 440: 1.0, 450: 0.94, 500: 0.1, 600: 0.001, 700: 0.001},
+    "ypf": {400: 0.42, 550: 0.82, 625: 1.0, 675: 0.9, 700: 0.48},
+    "mel": {480: 0.965605, 490: 1.0, 500: 0.965952, 555: 0.162056},
+    "rh": {507: 1.0, 555: 0.402},
+}
+
+
+@for_each([(kind, nm, w) for kind, points in POINTS.items() for nm, w in points.items()])
+def test_a_weight_has_the_published_values(kind, nm, w):
+    assert weight(kind).at(float(nm)) == pytest.approx(w, rel=1e-6)
+
+
+def column(name, title):
+    rows = [line for line in (DATA / name).read_text("utf-8").splitlines() if line[0] != "#"]
+    table = list(csv.DictReader(rows, delimiter="\t"))
+    pairs = [(float(row["nm"]), float(row[title])) for row in table if row[title]]
+    return tuple(np.array(one) for one in zip(*pairs, strict=True))
+
+
+def erythema(nm):
+    steep, flat = 10 ** (0.094 * (298 - nm)), 10 ** (0.015 * (140 - nm))
+    return np.where(nm <= 298, 1.0, np.where(nm <= 328, steep, flat))
+
+
+def by_hand(kind, nm):
+    """Return w at wavelengths: of a band, a formula or a table."""
+    bands = {
+        "uva": (315, 400),
+        "par": (400, 700),
+        "epar": (400, 750),
+        "fr": (700, 800),
+        "rs": (655, 665),
+        "frs": (725, 735),
+    }
+    if kind in bands:
+        low, high = bands[kind]
+        return ((nm >= low) & (nm <= high)).astype(float)
+    if kind == "ery":
+        return np.where((nm >= 250) & (nm <= 400), erythema(nm), 0.0)
+    files = {
+        "act": ("actinic_uv.tsv", "actinic"),
+        "blh": ("blue_light_hazard.tsv", "blue-light"),
+        "ypf": ("rqe_ypf.tsv", "ypf"),
+    }
+    x, y = column(*files.get(kind, ("alpha_opic.tsv", WEIGHTS[kind][0])))
+    if kind == "act":
+        return np.exp(np.interp(nm, x, np.log(y), left=-np.inf, right=-np.inf))
+    return np.interp(nm, x, y, left=0, right=0)
+
+
+@for_each([kind for kind in WEIGHTS if observer_of(kind) is None])
+def test_each_weight_agrees_with_an_independent_quadrature(kind):
+    """A smooth black body, by a fine midpoint rule of its own."""
+    kelvin = 5000.0
+    low, high = weight(kind).range
+    edges = np.linspace(low, high, 200_001)
+    nm = (edges[1:] + edges[:-1]) / 2
+    metres = nm * 1e-9
+    planck = 2 * math.pi * H * C**2 / metres**5 / np.expm1(H * C / 1.380649e-23 / kelvin / metres)
+    counted = planck * (metres / (H * C) if weight(kind).acts_on == "p" else 1.0)
+    expected = np.sum(counted * by_hand(kind, nm)) * (edges[1] - edges[0]) * 1e-9
+    # the erythema is taken in steps of 0.5 nm, as in the tables of the sun
+    off = {"ery": 2e-3, "act": 2e-3}.get(kind, 2e-5)
+    assert count(spectrum(f"blackbody:{kelvin}K"), kind) == pytest.approx(expected, rel=off)
+
+
+@for_each([kind for kind in WEIGHTS if observer_of(kind) is not None])
+def test_the_lumens_of_each_observer_are_a_kind(kind):
+    eye = OBSERVERS[WEIGHTS[kind][0]]
+    nm = np.arange(eye.start, eye.end + 1, dtype=float)
+    light = spectrum("D65")
+    watts = np.interp(nm, light.grid, light.values, left=0, right=0)
+    expected = eye.maximum * np.trapezoid(watts * np.array(eye.values), nm)
+    assert count(light, kind) == pytest.approx(expected, rel=1e-9)
+    assert resolve(f"lm_{kind}").dimension != resolve("lm").dimension
+
+
+# ---------------------------------------------------------------------------------------------
+# Kinds that never mix
+
+
+@for_each(WEIGHTS)
+def test_a_weight_is_one_place_of_one_slot_of_the_dimension(kind):
+    place = [*WEIGHTS].index(kind)
+    unit = {"e": "W", "v": "lm", "p": "mol"}[WEIGHTS[kind][1]]
+    own, plain = resolve(f"{unit}_{kind}"), resolve(unit)
+    assert own.dimension[:WEIGHT_AT] == plain.dimension[:WEIGHT_AT]
+    assert weights_of(own.dimension) == {place: 1}
+    assert weights_of(resolve(f"({unit}_{kind})-2").dimension) == {place: -2}
+    assert (own.top, own.bottom) == (plain.top, plain.bottom)
+    pair = ratio_of(ratio(kind, WEIGHTS[kind][1]))
+    assert pair == (kind, WEIGHTS[kind][1])
+    assert ratio_of(resolve(f"({ratio_unit(*pair)})").dimension) == pair
+
+
+def test_no_two_quantities_of_two_kinds_share_a_dimension():
+    found = {}
+    for kind in (*"evp", *WEIGHTS):
+        for geometry in ((0, 0, 0), (0, 0, 1), (0, 1, 0), (0, 1, 1), (1, 0, 0), (1, 1, 0)):
+            from radcalc.quantities import light_dimension
+
+            dimension = light_dimension(kind, geometry, "")
+            assert place_of(dimension) == (kind, *geometry, "")
+            assert found.setdefault(dimension, (kind, geometry)) == (kind, geometry)
+
+
+UNMIXED = [("100 lx", "lx_mel"), ("100 lx_mel", "lx"), ("1 lm", "lm_scot"), ("5 W/m2", "W_ery/m2")]
+
+
+@pytest.mark.parametrize(("amount", "target"), UNMIXED)
+def test_a_weighted_quantity_does_not_convert_without_a_spectrum(amount, target):
+    done = run("convert", *amount.split(), target)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "a wavelength, a spectrum or an efficacy is missing" in done.stderr
+    with pytest.raises(RadcalcError):
+        radcalc.convert(amount, target)
+
+
+def test_a_weighted_quantity_does_not_add_in_python():
+    edi, lux = radcalc.Quantity("250 lx_mel"), radcalc.Quantity("250 lx")
+    with pytest.raises(Exception, match="melanopic"):
+        edi + lux
+    with pytest.raises(Exception, match="melanopic"):
+        edi.to("lx")
+    assert edi != lux
+    assert (edi + radcalc.Quantity("1 EML")).to("lx_mel").magnitude == pytest.approx(250.9058)
+    dark = radcalc.convert("2 W", "lm", wavelength="507nm", observer="scotopic")
+    assert str(dark.units) == "scotopic_lumen"
+    with pytest.raises(Exception, match="scotopic"):
+        dark + radcalc.Quantity("50 lm")
+
+
+def test_a_weighted_quantity_does_not_add_in_an_expression():
+    done = run("convert", "100 lx + 100 lx_mel", "lx")
+    assert (done.returncode, done.stdout) == (2, "")
+
+
+def test_a_claim_in_lux_is_not_a_melanopic_edi():
+    done = run("convert", *["100", "lx", "lx_mel", "--spectrum", "D65", "--check", "100lx"])
+    assert done.returncode == 1
+    assert "illuminance (lx) is not melanopic EDI" in done.stdout
+    right = run("convert", *["100", "lx", "lx_mel", "--spectrum", "D65", "--check", "100lx_mel"])
+    assert right.returncode == 0
+
+
+def test_a_stream_has_the_kind_of_its_title():
+    piped = run("convert", *["-", "lx_mel", "W_mel/m2"], input="1\n2\n")
+    assert [float(x) for x in piped.stdout.split()] == pytest.approx(
+        [1.32621e-3, 2.65241e-3], rel=1e-5
+    )
+    with_title = run("convert", *["-", "lx", "--header"], input="melanopic EDI [lx]\n100\n")
+    assert (with_title.returncode, with_title.stdout) == (2, "")
+
+
+# ---------------------------------------------------------------------------------------------
+# Spectra that do not cover a weight
+
+
+def test_a_spectrum_that_does_not_cover_a_weight_is_refused_with_what_is_missing():
+    done = run("convert", *["100", "lx", "W_ery/m2", "--spectrum", "LED-B3"])
+    assert done.returncode == 2
+    assert "cover 380-780 nm, without 250-380 nm of the erythemal weight" in done.stderr
+    assert "--dark-outside" in done.stderr
+    dark = run("convert", *["100", "lx", "W_ery/m2", "--spectrum", "LED-B3", "--dark-outside"])
+    assert dark.returncode == 0
+    assert "LED-B3 is taken as dark outside its data" in dark.stderr
+    unused = run("convert", *["100", "lx", "W/m2", "--spectrum", "LED-B3", "--dark-outside"])
+    assert unused.returncode == 2
+
+
+def test_the_sun_on_the_ground_is_dark_below_its_table_and_the_sun_in_space_is_not():
+    assert run("spectrum", "AM1.5G", "-g", "uv-index").returncode == 0
+    assert "250-280 nm" in run("spectrum", "AM0", "-g", "uv-index").stderr
+
+
+# ---------------------------------------------------------------------------------------------
+# Names, options, results
+
+TARGETS = {
+    "melanopic-edi": "lx_mel",
+    "mel-edi": "lx_mel",
+    "melanopic EDI": "lx_mel",
+    "EML": "EML",
+    "UVI": "UVI",
+    "erythemal irradiance": "W_ery/m2",
+    "blue-light": "W_blh/m2",
+    "epar": "umol_epar/m2/s",
+    "ypfd": "ypfd",
+}
+
+
+@for_each(TARGETS.items())
+def test_a_target_has_a_name(name, unit):
+    light = "blackbody:6000K"
+    expected = number(f"convert 100 lx {unit} --spectrum {light}")
+    done = run("convert", "100", "lx", name, "--spectrum", light)
+    assert float(done.stdout.split()[0]) == expected
+
+
+def test_the_radiance_of_the_blue_light_hazard():
+    expected = number("convert 1e4 cd/m2 W_blh/m2/sr --spectrum D65")
+    assert number("convert 1e4 cd/m2 blue-light --spectrum D65") == expected
+    # IEC TR 62778: K_B,v of D65; the sum of the tables
+    assert number("spectrum D65 -g blue-light-elr") == pytest.approx(0.9886, abs=5e-5)
+
+
+def test_the_weight_of_an_option_is_the_kind_of_the_target():
+    plain = number("convert 100 lx W/m2 --spectrum LED-B3 --weight melanopic")
+    assert plain == number("convert 100 lx W_mel/m2 --spectrum LED-B3")
+    assert number("convert 100 lx lx --spectrum LED-B3 --weight melanopic") == pytest.approx(
+        63.257, abs=5e-4
+    )
+    unknown = run("convert", *["100", "lx", "W/m2", "--spectrum", "LED-B3", "--weight", "melanopc"])
+    assert "unknown weight 'melanopc'" in unknown.stderr
+    assert "--weight melanopic" in unknown.stderr
+
+
+def test_a_calculator_has_the_results_of_a_weight():
+    call = "point-source --intensity 100cd --distance 2m --spectrum D65 --weight melanopic"
+    assert number(f"{call} -g melanopic-irradiance:lx_mel") == pytest.approx(25, rel=1e-12)
+    assert number(f"{call} -g illuminance") == 25
+    given = "point-source --intensity 1W_mel/sr --distance 2m"
+    assert number(f"{given} -g irradiance") == 0.25
+
+
+def test_an_observer_has_lumens_of_its_own():
+    done = run("convert", *["2", "W", "lm", "--wavelength", "507nm", "--observer", "scotopic"])
+    assert done.stdout == "3400.12\tlm_scot\n"
+    assert number("convert 1 lm lm_scot --spectrum D65") == pytest.approx(2.4646, abs=5e-5)
+    assert name_of(resolve("lx_scot")) == "scotopic illuminance"
+    assert number("photon 507nm -g scotopic-luminous-efficacy") == 1700.06
+
+
+def test_plant_bands():
+    """Counts of ASTM G173-03 in each band, by trapezoids over its own points."""
+    path = Path(__import__("pvlib").__file__).with_name("data") / "ASTMG173.csv"
+    rows = np.array(list(csv.reader(path.read_text("utf-8").splitlines()))[2:], dtype=float)
+    nm, watts = rows[:, 0], rows[:, 2]
+
+    def band(low, high):
+        inside = (nm >= low) & (nm <= high)
+        return np.trapezoid((watts * nm)[inside], nm[inside]) * 1e-9 / (H * C * N_A) * 1e6
+
+    for name, limits in (("epar", (400, 750)), ("far-red", (700, 800))):
+        value = number(f"spectrum AM1.5G -g {name}-photon-irradiance")
+        assert value == pytest.approx(band(*limits), rel=1e-4)
+    red = number("spectrum AM1.5G -g r-fr-smith10")
+    assert red == pytest.approx(band(655, 665) / band(725, 735), rel=1e-4)
+
+
+def test_the_efficacy_of_two_weights_follows_from_a_spectrum():
+    expected = number("convert 1 lx W_blh/m2 --spectrum D65") / number(
+        "convert 1 lx lx_mel --spectrum D65"
+    )
+    assert number("convert 1 lx_mel W_blh/m2 --spectrum D65") == pytest.approx(expected, rel=1e-11)
+    plain = plan(resolve("lx_mel"), resolve("EML"))
+    assert plain.factor == pytest.approx(1 / 0.9058, rel=1e-15)
