@@ -22,10 +22,11 @@ from radcalc.errors import (
 )
 from radcalc.files.columns import IN_BRACKETS, plain
 from radcalc.quantities import NONE, PHOTON, RADIANT, Reading, describe, read
-from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
+from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity, weighted
 from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import LINKS, light_unit
 from radcalc.units import NUMBER, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.table import PAR_RANGE, PARTS, resolve, suggest, unit_of
 from radcalc.units.values import find_scale, scale_of
 
@@ -123,6 +124,18 @@ NUMBERED = re.compile(r"([^\W\d_]{2,})\d+")  # the second of several meters, lux
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
 PHOTON_IRRADIANCES = ("pfd", "spfd", "sppfd", *[name for name in PPFD if name != "par"])
 PHOTONS = ("photon", "photons", "quanta", *PPF)
+# Words of titles whose unit is of a weighted kind: melanopic EDI [lx].
+OF_WEIGHTS = {
+    "melanopic": "mel",
+    "medi": "mel",
+    "rhodopic": "rh",
+    "cyanopic": "sc",
+    "chloropic": "mc",
+    "erythropic": "lc",
+    "scotopic": "scot",
+    "erythemal": "ery",
+    "erythemally": "ery",
+}
 # Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
 OTHER_LIGHT = frozenset(
     [
@@ -318,11 +331,12 @@ def refuse_linked(title: str, unit: Unit, given: Collection[str], hint: str = ""
     """
     links = [name for name in LINKS if name in given]
     words = words_of(title)
-    if links and (band := next((word for word in words if word in OTHER_LIGHT), "")):
+    light = read(unit)
+    is_known = light is not None and light.kind in WEIGHTS
+    if links and not is_known and (band := next((word for word in words if word in OTHER_LIGHT), "")):
         problem = f"the values are of another light by their title ({band})"
         problem = f"{problem}, which {option(links[0])} does not convert"
         raise UsageError(problem, hint or leave_out(links[0]))
-    light = read(unit)
     is_par = not {word.rstrip("0123456789") for word in words}.isdisjoint(NAMES_OF_PAR)
     is_par = is_par or "photosynthetic" in title.lower()
     is_of_watts = light is not None and light.kind == RADIANT
@@ -405,10 +419,19 @@ def _read(text: str, like: Unit | None) -> Title:
             ):
                 continue
             if is_fitting(title, in_brackets, like):
-                return title._replace(text=text, name=_name(text, title.opening, title.closing))
+                name = _name(text, title.opening, title.closing)
+                return title._replace(text=text, name=name, unit=_in_its_kind(title.unit, name))
             if _contradicts(title, in_brackets, like) and not in_brackets:
                 longer.append(title)
     return Title(text, text)
+
+
+def _in_its_kind(unit: Unit | None, name: str) -> Unit | None:
+    """Return the unit of a title in the weighted kind that its words name: melanopic EDI [lx]."""
+    kinds = {OF_WEIGHTS[word] for word in words_of(name) if word in OF_WEIGHTS}
+    if unit is None or unit.is_scale or len(kinds) != 1 or read(unit) is None:
+        return unit
+    return weighted(unit, *kinds)
 
 
 def _without_places(text: str) -> str:
