@@ -143,6 +143,7 @@ def convert(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
@@ -160,6 +161,7 @@ def convert(
     reflectance: Number = None,
     pupil: Amount = None,
     responsivity: Amount = None,
+    response: Text = None,
     electric_field: ElectricField | None = None,
     emissivity: Number = None,
     k: Amount = None,
@@ -196,6 +198,7 @@ def dose(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     unit: str = "",
     column: str | int | None = None,
@@ -225,6 +228,7 @@ def dose(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     unit: str = "",
     column: str | int | None = None,
@@ -265,6 +269,7 @@ def environment(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def etendue(
@@ -299,6 +304,7 @@ def etendue(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def ev(
@@ -333,6 +339,7 @@ def explain(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
@@ -350,6 +357,7 @@ def explain(
     reflectance: Number = None,
     pupil: Amount = None,
     responsivity: Amount = None,
+    response: Text = None,
     electric_field: ElectricField | None = None,
     emissivity: Number = None,
     k: Amount = None,
@@ -369,6 +377,7 @@ def factor(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     solid_angle: Amount = None,
     half_angle: Amount = None,
@@ -386,6 +395,7 @@ def factor(
     reflectance: Number = None,
     pupil: Amount = None,
     responsivity: Amount = None,
+    response: Text = None,
     electric_field: ElectricField | None = None,
     emissivity: Number = None,
     k: Amount = None,
@@ -429,6 +439,7 @@ def irradiance_map(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     order: Literal[2] | None = None,
 ) -> Quantity: ...
@@ -487,6 +498,7 @@ def lambertian(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def laser(
@@ -528,6 +540,7 @@ def laser(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def mesopic(
@@ -595,6 +608,7 @@ def point_source(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     any_incidence: bool = False,
 ) -> Result: ...
@@ -630,6 +644,7 @@ def room(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def scene(
@@ -644,6 +659,7 @@ def scene(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
     shares: bool = False,
 ) -> Result: ...
@@ -672,6 +688,7 @@ def screen(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def sensor(
@@ -716,6 +733,7 @@ def sensor(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def sky(
@@ -758,6 +776,7 @@ def sky(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...
 def solid_angle(
@@ -796,6 +815,8 @@ def spectrum(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
+    response: Text = None,
     dark_outside: bool = False,
     reference: Spectrum = None,
     column: str | int | None = None,
@@ -833,5 +854,6 @@ def uberlight(
     weight: Text = None,
     range: Text = None,
     photon_range: Text = None,
+    filter: Text = None,
     dark_outside: bool = False,
 ) -> Result: ...

@@ -27,7 +27,7 @@ PAGE = Page(
             "reflectance",
             "pupil",
         ),
-        "Detectors, fields and heat": ("responsivity", "electric-field", "emissivity"),
+        "Detectors, fields and heat": ("responsivity", "response", "electric-field", "emissivity"),
         "Light meters (EV)": ("k", "c"),
         "Time and bandwidth": ("time", "photoperiod", "bandwidth"),
         "Homework": CHECKS,

@@ -125,6 +125,10 @@ def _in_kinds(typed: Inputs, links: Inputs) -> tuple[Inputs, Inputs, tuple[str, 
 
     The lumens of a call are those of its observer.
     """
+    if "filter" in links:
+        from radcalc.conversion.spectral import behind_filter
+
+        links = behind_filter(links)
     wanted, refined = list(KINDS), {"observer", "weight"} & links.keys()
     if not refined:
         return typed, links, KINDS

@@ -9,6 +9,7 @@ from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nan
 from radcalc.calculators.kinds import of_kinds
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
+from radcalc.conversion.spectral import behind_filter
 from radcalc.errors import RadcalcError, option
 from radcalc.inputs import Inputs
 from radcalc.quantities import (
@@ -45,7 +46,7 @@ DER = {f"{name}-der": kind for kind, name in ALPHA_OPIC.items()}
 HAZARDS = {"actinic-uv-elr": "act", "blue-light-elr": "blh"}
 R_TO_FR = "r-fr-smith10"
 OF_IRRADIANCE = (*EDI, "uv-index", *IRRADIANCES)  # of a spectrum that is an irradiance
-OF_WEIGHTS = (*ELR, *DER, *HAZARDS, R_TO_FR, *OF_IRRADIANCE)
+OF_WEIGHTS = (*ELR, *DER, *HAZARDS, R_TO_FR, "mismatch", *OF_IRRADIANCE)
 PAGE = Page(
     results=(
         "peak-wavelength",
@@ -93,7 +94,10 @@ PAGE = Page(
             ),
             flag("list", "List the named sources, or those of one kind.", name="list_"),
         ),
-        "Light": ("observer", "weight", "range", "photon-range", "dark-outside", "reference"),
+        "Light": (
+            *("observer", "weight", "range", "photon-range", "filter", "response"),
+            *("dark-outside", "reference"),
+        ),
     },
     on_request=(*ON_REQUEST, *OF_WEIGHTS),
     texts={
@@ -157,6 +161,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     `requested` are those of `ON_REQUEST` to calculate.  Photons are counted over the given photon
     range (default: 400 nm to 700 nm; for lines, all).
     """
+    given = behind_filter(given)
     source: Spectrum = given["spectrum"].value
     if "dark-outside" in given and "weight" not in given and not {*requested} & {*OF_WEIGHTS}:
         raise errors.Unused(["dark-outside"], "without a weight or a result of one")
@@ -180,6 +185,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         *_photons(counts, seen),
         *colour.values,
         *of_weights,
+        *_mismatch(source, given, requested),
         *(of_weight(counts, chosen["weight"]) if "weight" in chosen else ()),
         *[on_request(name) for name in _further(source) if name not in requested],
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
@@ -198,6 +204,32 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     return Answer(values, assumptions, notes, [*_steps(counts, seen), *steps])
 
 
+def _mismatch(source: Spectrum, given: Inputs, requested: Sequence[str]) -> list[Value]:
+    """Return the spectral mismatch of a detector, as in IEC 60904-7, if it is requested.
+
+    It is of a light against the reference, beside a meter that counts all watts.
+    """
+    if "mismatch" not in requested:
+        if "response" in given:
+            unused = f"{option('response')} does not apply without a mismatch"
+            add = errors.add("get", "mismatch")
+            raise errors.ConditionError(unused, [errors.leave_out("response"), add])
+        return []
+    lacking = [name for name in ("response", "reference") if name not in given]
+    if lacking:
+        because = errors.MissingInput(
+            f"a spectral mismatch needs {errors.options(lacking, ' and ')}",
+            "the responsivity of the detector and the spectrum of its calibration",
+        )
+        return [value("mismatch", 0.0)._replace(units=(), because=because)]
+    is_dark = "dark-outside" in given
+    own, reference = given["response"].value, given["reference"].value
+    ratios = [
+        weights.responsivity(own, one, is_dark_outside=is_dark) for one in (source, reference)
+    ]
+    return [value("mismatch", ratios[0] / ratios[1])]
+
+
 def _further(source: Spectrum) -> list[str]:
     """Return the results on request that a spectrum can have."""
     relative = () if source.absolute == "irradiance" else OF_IRRADIANCE
@@ -206,7 +238,7 @@ def _further(source: Spectrum) -> list[str]:
 
 def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
     """Return the reference of the similarity, which must be requested."""
-    if "reference" not in given:
+    if "reference" not in given or ("ssi" not in requested and "mismatch" in requested):
         return None
     if "ssi" not in requested:
         unused = f"{option('reference')} does not apply without a spectral similarity index"
@@ -412,7 +444,7 @@ def weighted(
 ) -> tuple[list[Value], list[Remark], list[Step]]:
     """Return the requested results of weights of a light, with their assumptions and steps."""
     values, remarks, steps = [], [], []
-    for name in [name for name in OF_WEIGHTS if name in requested]:
+    for name in [name for name in OF_WEIGHTS if name in requested and name != "mismatch"]:
         try:
             values.append(_result(counts, name))
         except RadcalcError as error:

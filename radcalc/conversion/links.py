@@ -379,8 +379,12 @@ def _detector(bridge: Bridge) -> Links:
     if given is None:
         bridge.want(RESPONSIVITY)
         return []
-    factor = geometric.responsivity(given)
     link = bridge.conditions.given.get(LINK)
+    if given.name == "response":
+        from radcalc.conversion import spectral
+
+        return [(spectral.response(bridge, given), -1 if from_current else 1)]
+    factor = geometric.responsivity(given)
     if link and link.name == "wavelength":
         from radcalc.conversion import spectral
 

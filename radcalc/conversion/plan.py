@@ -30,7 +30,7 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
     Raises ConversionError if a condition is missing, ConditionError if one is out of range,
     contradictory or unused.
     """
-    if any(condition.name in ("observer", "weight") for condition in given):
+    if any(condition.name in ("observer", "weight", "filter") for condition in given):
         from radcalc.conversion.spectral import in_kinds
 
         source, target, given = in_kinds(source, target, given)

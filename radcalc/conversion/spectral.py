@@ -230,8 +230,22 @@ def in_kinds(
             if not names.is_seen(target, condition.value):
                 where = f"to {describe(target)}"
                 raise errors.Unused(["weight"], where)
-    others = [one for one in given if one.name not in ("observer", "weight")]
-    return source, target, others
+    others = {one.name: one for one in given if one.name not in ("observer", "weight")}
+    return source, target, [*behind_filter(others).values()]
+
+
+def behind_filter(given: Inputs) -> Inputs:
+    """Return inputs with the spectrum behind the filter, if there is one.
+
+    Raises Unused for a filter without a spectrum.
+    """
+    if "filter" not in given:
+        return given
+    if "spectrum" not in given:
+        raise errors.Unused(["filter"], f"without {option('spectrum')}")
+    spectrum, others = given["spectrum"], {**given}
+    filtered = weights.through(spectrum.value, others.pop("filter").value)
+    return {**others, "spectrum": spectrum._replace(value=filtered)}
 
 
 def _efficacy_as_seen(given: Input, kind: str) -> Input:
@@ -590,6 +604,35 @@ def _wavelength(bridge: "Bridge") -> Light | None:
         return None
     bridge.conditions.used.add(LINK)
     return light(given)
+
+
+def response(bridge: "Bridge", given: Input) -> Factor:
+    """Return the responsivity of a file at a wavelength, or under a spectrum [A/W]."""
+    own, link = given.value, bridge.conditions.use(LINK)
+    if link is None or link.name == "efficacy":
+        raise errors.MissingInput(
+            f"{bridge.heading}: the wavelength or the spectrum of the light is missing",
+            errors.mention("{spectrum=sun} or {wavelength=850nm}"),
+            [errors.add("spectrum", "sun"), errors.add("wavelength", "850nm")],
+        )
+    if link.name == "wavelength":
+        value = own.at(light(link).table * 1e9)
+        text = f"{own.label} at {link.text}"
+        if maths.any_true(value == 0):
+            raise errors.ConditionError(f"{text} is 0", "a wavelength within its response")
+        step = Formula("responsivity of one wavelength", "s = s(lambda)", own.source)
+        return Factor("s", value, "A/W", text, (step.with_numbers(f"s = {value:.6g} A/W"),))
+    from radcalc.spectra.spectrum import range_text
+
+    dark = bridge.conditions.use("dark-outside")
+    value = weights.responsivity(own, link.value, is_dark_outside=dark is not None)
+    if not value:
+        raise errors.ConditionError(f"{own.label} does not respond to {link.text}", "another light")
+    low, high = link.value.limits
+    step = Formula("responsivity under a spectrum", "s = int(S s) / int(S)", own.source)
+    counted = f"watts counted over {range_text((low, high))}"
+    text = f"{own.label} under {link.value.described}; {counted}"
+    return Factor("s", value, "A/W", text, (step.with_numbers(f"s = {value:.6g} A/W"),))
 
 
 def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":

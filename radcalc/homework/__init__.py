@@ -436,8 +436,8 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
             raise ConditionError(problem, _ways(pool, claim))
         return fitting
     is_named = bool(claim.name)
-    fitting = _fitting(question, pool, claim.unit, is_named)
-    return [_reading(question, value, claim.unit, is_named) for value in fitting]
+    named = _fitting(question, pool, claim.unit, is_named)
+    return [_reading(question, value, claim.unit, is_named) for value in named]
 
 
 def _fitting(

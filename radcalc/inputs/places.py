@@ -370,7 +370,25 @@ def weight_input(symbol: Symbol, value: Any) -> Input:
     return Input(symbol, text, kind_of(text))
 
 
+def response_input(symbol: Symbol, value: Any) -> Input:
+    """Read the file of a responsivity."""
+    from radcalc.spectra.observers import response_of
+
+    text = str(value).strip()
+    return Input(symbol, text, response_of(text))
+
+
+def filter_input(symbol: Symbol, value: Any) -> Input:
+    """Read the files of transmittances."""
+    from radcalc.spectra.observers import transmittance_of
+
+    text = str(value).strip()
+    return Input(symbol, text, transmittance_of(text))
+
+
 READERS = {
+    symbols.RESPONSE: response_input,
+    symbols.FILTER: filter_input,
     symbols.WEIGHT: weight_input,
     symbols.POINT: point_input,
     symbols.VECTOR: vector_input,

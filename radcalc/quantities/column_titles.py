@@ -333,7 +333,11 @@ def refuse_linked(title: str, unit: Unit, given: Collection[str], hint: str = ""
     words = words_of(title)
     light = read(unit)
     is_known = light is not None and light.kind in WEIGHTS
-    if links and not is_known and (band := next((word for word in words if word in OTHER_LIGHT), "")):
+    if (
+        links
+        and not is_known
+        and (band := next((word for word in words if word in OTHER_LIGHT), ""))
+    ):
         problem = f"the values are of another light by their title ({band})"
         problem = f"{problem}, which {option(links[0])} does not convert"
         raise UsageError(problem, hint or leave_out(links[0]))

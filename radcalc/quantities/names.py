@@ -13,9 +13,9 @@ The units of a quantity are those for `convert` without a target, for `units` an
 """
 
 import os
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from radcalc.errors import UnitError, quote
+from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.quantities import (
     KIND_NAMES,
     LUMINOUS,
@@ -30,13 +30,15 @@ from radcalc.quantities import (
     coherent_text,
     is_per_length,
     name_of,
+    of_kind,
     own_name,
     ratio_of,
     read,
     with_suffix,
 )
 from radcalc.units import WEIGHT_AT, Dimension, Unit
-from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS, WEIGHTS
+from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, SYMBOLS, UNITS, WEIGHTS
+from radcalc.units.dimensions import SUFFIXES, UNITS_OF_BASES
 from radcalc.units.table import resolve, unit_of
 
 
@@ -287,3 +289,33 @@ def _usual(unit: Unit, kind: str) -> str:
     if reading is None or reading.retinal:
         return "a unit of watts, lumens or photons"
     return f"the amount in {coherent_text(reading._replace(kind=kind))}"
+
+
+MOST_WEIGHTS = 200  # of files
+
+
+def add_weight(name: str, base: str, source: str) -> str:
+    """Add a weight of a file to the tables of kinds and units; return its kind.
+
+    The kind is the name in letters, with more of them if it is that of another weight or unit.
+    """
+    kind = "".join([c for c in name.lower() if "a" <= c <= "z"]) or "own"
+    while kind in WEIGHTS or any(unit_of(f"{s}_{kind}") for s, _ in UNITS_OF_BASES[base]):
+        kind += "x"
+    if len(WEIGHTS) > MOST_WEIGHTS:
+        raise ConditionError(f"more than {MOST_WEIGHTS} weights", "fewer files")
+    from radcalc.quantities.symbols import forget_weights
+    from radcalc.units.catalogue import CATALOGUE
+
+    WEIGHTS[kind] = (name, base, name, kind)
+    SUFFIXES.append(kind)
+    KIND_NAMES[kind] = name
+    for symbol, plain in UNITS_OF_BASES[base]:
+        top, bottom, dimension, prefixes = UNITS[plain]
+        spelled, full = f"{symbol}_{kind}", f"{kind}_{plain}"
+        row: Any = (top, bottom, of_kind(dimension, kind), prefixes)
+        UNITS[full] = row
+        SYMBOLS[spelled], NAMES[full] = full, full
+        CATALOGUE[full] = ((spelled,), (full,), f"{plain} of {name}", source)
+    forget_weights()
+    return kind

@@ -85,7 +85,7 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # far beyond any cam
 
 # Forms of a symbol's value.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
-WEIGHT = "weight"
+WEIGHT, RESPONSE, FILTER = "weight", "response", "filter"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
 POINT, VECTOR, GRID = "point", "vector", "grid"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
@@ -251,6 +251,10 @@ _ROWS = (
         "Photon quantities of {spectrum} include only these wavelengths (default 400nm:700nm)."),
     _text(WEIGHT, "weight", "a weight", "melanopic",
         "Weigh the light: a name (melanopic, erythema, blue-light, ypf ...), or a file."),
+    _text(FILTER, "filter", "a file", "yellow.csv",
+        "Put filters before {spectrum}: a file of a transmittance, or several with commas."),
+    _text(RESPONSE, "response", "a file", "silicon.csv",
+        "Detector's responsivity over wavelength: a file in A/W, or of a quantum efficiency."),
     _text(FLAG, "dark-outside", "", "",
         "Take {spectrum} as dark where its data do not cover a weight."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
@@ -579,6 +583,7 @@ _ROWS = (
         label="actinic UV per luminous flux", takes="an efficacy"),
     _symbol(ratio("blh", LUMINOUS), "blue-light-elr", "K_B,v", unit="mW_blh/lm",
         label="blue-light hazard efficacy of luminous radiation", takes="an efficacy"),
+    _symbol(NUMBER, "mismatch", "M", label="spectral mismatch"),
     _symbol(NUMBER, "r-fr-smith10", "R:FR", label="red to far-red, 655-665 nm to 725-735 nm"),
     _symbol(ratio("mel", RADIANT), "per-watt", "", unit="W_mel/W", takes="an efficacy",
         label="weighted light per watt"),
@@ -606,7 +611,7 @@ _ROWS = (
     _symbol(NUMBER, "ssi", "SSI", limits=ANY, label="spectral similarity index"),
     _text(SPECTRUM, "reference", "a spectrum", "D55",
         "Spectrum that ssi compares with (default: a black body or daylight of its colour "
-        "temperature)."),
+        "temperature), or the reference of mismatch."),
     _symbol(LENGTH, "dominant-wavelength", "λ_d", unit="nm"),
     _symbol(LENGTH, "complementary-wavelength", "λ_c", unit="nm"),
     _symbol(NUMBER, "excitation-purity", "p_e", limits=ANY, unit="%"),
@@ -815,6 +820,11 @@ def _weighted_names() -> dict[str, tuple[str, str]]:
     return {name: (generic, kind) for name, generic, kind in names}
 
 
+def forget_weights() -> None:
+    """Forget the names of weighted light, before a weight is added."""
+    _weighted_names.cache_clear()
+
+
 def weighted_generic(name: str) -> str:
     """Return the generic name of weighted light; '' for another name."""
     return _weighted_names().get(name, ("", ""))[0]
@@ -851,13 +861,7 @@ EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
-REFINEMENTS = (
-    "observer",
-    "weight",
-    "range",
-    "photon-range",
-    "dark-outside",
-)  # inputs that only refine a link
+REFINEMENTS = ("observer", "weight", "range", "photon-range", "filter", "dark-outside")
 
 
 def names_of_kinds(generic: str) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ Unambiguous files are read, with notes; anything else is an error with its line.
 """
 
 import math
+import os
 import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -96,6 +97,25 @@ def _is_of_wavelengths(title: str) -> bool:
     if plain in ("m", "mm"):  # a distance
         return False
     return column_titles.is_of_wavelengths(plain)
+
+
+class Curve(NamedTuple):
+    """A function of the wavelength [nm] in a file: its points, the title of its values, notes."""
+
+    name: str
+    grid: Sequence[float]
+    values: Sequence[float]
+    title: str
+    notes: tuple[str, ...]
+
+
+def read_curve(path: str, column: str = "") -> Curve:
+    """Read a weight, a responsivity or a transmittance from a file; its values are 0 or more."""
+    name = ""
+    if not os.path.isfile(path) and ":" in path:
+        path, _, name = path.rpartition(":")
+    with reading(path, "a file with a weight") as (label, read):
+        return _CurveReader(label, read, column or name, None, path).curve()
 
 
 class SpectrumHead(Head):
@@ -267,6 +287,9 @@ class _Reader:
                 yield number, line
 
     def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
+        return self.finish_columns(self.read_rows(blocks))
+
+    def read_rows(self, blocks: Iterable[tuple[int, Lines]]) -> _Layout:
         """Read rows of numbers; the first lines determine the delimiter and the columns."""
         blocks = iter(blocks)
         lines = first_lines(blocks)
@@ -284,7 +307,7 @@ class _Reader:
         if self.count and count != self.count:
             problem = f"{count} rows, but its own count of pixels is {self.count}"
             raise self.error(self.lines[-1], problem, "the whole file")
-        return self.finish_columns(layout)
+        return layout
 
     def layout(self, lines: Sequence[tuple[int, str]]) -> _Layout:
         """Return the table and its columns, with the meaning of the lines before it."""
@@ -528,6 +551,25 @@ class _Reader:
                 raise self.error(second, problem, "each wavelength once")
         self.notes.append("the wavelengths are not in order; the rows are sorted")
         return array("d", [grid[i] for i in order]), array("d", [values[i] for i in order])
+
+
+class _CurveReader(_Reader):
+    """The reader of a file whose values are no light."""
+
+    def curve(self) -> Curve:
+        blocks = self.text.blocks()
+        layout = self.read_rows(blocks)
+        nanometres = self.wavelength_unit(layout.header, min(self.grid), max(self.grid))
+        if len(self.grid) < 2:
+            raise self.error(0, "1 row of data is not a curve", "two rows or more")
+        grid, values = self.sorted()
+        for value, line in zip(self.values, self.lines, strict=True):
+            if value < 0:
+                raise self.error(line, f"a value of {value:g} is below 0", "values of 0 or more")
+        if not any(values):
+            raise self.error(0, "every value is 0", "values above 0")
+        points = [x * nanometres for x in grid]
+        return Curve(self.name, points, list(values), layout.title, tuple(self.notes))
 
 
 def _has_number(line: str, delimiter: str | None) -> bool:

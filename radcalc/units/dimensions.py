@@ -4,6 +4,12 @@ from radcalc.units import BASES, NUMBER, WEIGHT_AT, WEIGHT_BASE, Dimension
 from radcalc.units.compiled import WEIGHTS
 
 SUFFIXES = [*WEIGHTS]  # of the weights, by their places
+# The units of the light that a weight is of, with their symbols.
+UNITS_OF_BASES = {
+    "e": (("W", "watt"), ("J", "joule")),
+    "v": (("lm", "lumen"), ("lx", "lux"), ("cd", "candela"), ("fc", "footcandle")),
+    "p": (("mol", "mole"), ("photon", "photon")),
+}
 
 
 def powers(**exponents: int) -> Dimension:

@@ -18,8 +18,8 @@ from pint.util import UnitsContainer
 from radcalc.errors import UnitError, quote
 from radcalc.floats import divide
 from radcalc.units import BASES, MASS_AT, OWN, WEIGHT_AT, WEIGHT_BASE, Dimension, Unit, table
-from radcalc.units.compiled import UNITS
-from radcalc.units.dimensions import weights_of
+from radcalc.units.compiled import UNITS, WEIGHTS
+from radcalc.units.dimensions import SUFFIXES, UNITS_OF_BASES, weights_of
 from radcalc.units.languages import Definition, definition
 from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
@@ -28,11 +28,6 @@ from radcalc.units.values import BASE_UNITS
 HERE = Path(__file__).parent
 DEFINITIONS = HERE / "light.txt"
 PREFIXES = {"W": "all", "J": "all", "lm": "k M m u", "lx": "k m u", "cd": "k m u", "mol": "m u n"}
-UNITS_OF_BASES = {
-    "e": (("W", "watt"), ("J", "joule")),
-    "v": (("lm", "lumen"), ("lx", "lux"), ("cd", "candela"), ("fc", "footcandle")),
-    "p": (("mol", "mole"), ("photon", "photon")),
-}
 
 
 class Weight(NamedTuple):
@@ -77,6 +72,7 @@ class Weight(NamedTuple):
         return {unit.split(" = ")[0]: name for unit, name in texts if name}
 
 
+@cache
 def read_weights() -> list[Weight]:
     """Return the rows of `weights.tsv`."""
     text = (HERE / "weights.tsv").read_text(encoding="utf-8")
@@ -115,6 +111,8 @@ class LightRegistry(Registry):
 
     def container(self, unit: Unit) -> UnitsContainer:
         powers: dict[str, int] = {}
+        for suffix in SUFFIXES[len(read_weights()) :]:  # of weights of files
+            self._define_weight(suffix)
         for name in OWN:
             if name in UNITS and name not in self._units:
                 self._define_own(*UNITS[name][:3], name)
@@ -123,12 +121,23 @@ class LightRegistry(Registry):
             powers[name] = powers.get(name, 0) + exponent
         return UnitsContainer({name: power for name, power in powers.items() if power})
 
+    def _define_weight(self, suffix: str) -> None:
+        """Define the base unit of a weight of a file, and its units."""
+        if f"weight_{suffix}" in self._units:
+            return
+        self.closed = False
+        try:
+            self.define(f"weight_{suffix} = [weight_{suffix}]")
+            for symbol, name in UNITS_OF_BASES[WEIGHTS[suffix][1]]:
+                self.define(f"{suffix}_{name} = {name} * weight_{suffix} = {symbol}_{suffix}")
+        finally:
+            self.closed = True
+
     def _define_own(self, top: int, bottom: int, dimension: Dimension, name: str) -> None:
         """Define a unit of the user's definitions in Pint."""
-        rows = read_weights()
         base = [
             *zip(BASE_UNITS, dimension, strict=False),
-            *[(rows[place].base_unit, power) for place, power in weights_of(dimension).items()],
+            *[(f"weight_{SUFFIXES[k]}", power) for k, power in weights_of(dimension).items()],
         ]
         self.closed = False
         try:
