@@ -289,8 +289,9 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
             text = value.units[0]
             number = _in_shown_unit(value, text)
         else:
-            unit = of_eyes(value, unit_for(value, text, constants_of(values)))
-            text = text if unit.is_scale else unit.text
+            unit = unit_for(value, text, constants_of(values))
+            if (seen := of_eyes(value, unit)) is not unit:
+                unit, text = seen, seen.text
             number = in_unit(value, unit, values)
             if unit.dimension not in value.dimensions and not unit.is_scale:
                 label, letter = of_kind(value, unit)

@@ -31,7 +31,7 @@ from radcalc.quantities.symbols import (
     specific_name,
 )
 from radcalc.spectra import observers as weights
-from radcalc.spectra.contents import Counts
+from radcalc.spectra.contents import Counts, responsivity
 from radcalc.spectra.observers import LIGHT, OBSERVERS, PLANCK, TRAPEZOIDS, observer_of
 from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
 from radcalc.units.compiled import WEIGHTS
@@ -224,9 +224,7 @@ def _mismatch(source: Spectrum, given: Inputs, requested: Sequence[str]) -> list
         return [value("mismatch", 0.0)._replace(units=(), because=because)]
     is_dark = "dark-outside" in given
     own, reference = given["response"].value, given["reference"].value
-    ratios = [
-        weights.responsivity(own, one, is_dark_outside=is_dark) for one in (source, reference)
-    ]
+    ratios = [responsivity(own, one, is_dark_outside=is_dark) for one in (source, reference)]
     return [value("mismatch", ratios[0] / ratios[1])]
 
 
@@ -490,6 +488,7 @@ def _kind(name: str) -> str:
 
 
 def _result(counts: Counts, name: str) -> Value:
+    """Return a result of a weight, or why it is absent."""
     if name == R_TO_FR:
         far_red = counts.amount("frs")
         if not far_red:
@@ -500,7 +499,7 @@ def _result(counts: Counts, name: str) -> Value:
         if counts.source.absolute != "irradiance":
             instead = name.replace("-edi", "-elr")
             others = [instead] if instead in ELR else []
-            hint = "an irradiance with this spectrum (radcalc convert --help)"
+            hint = f"an irradiance with this spectrum ({errors.manual('convert')})"
             return absent(name, RELATIVE, hint, *others)
         return value(name, counts.amount(kind))
     lumens = counts.amount(LUMINOUS)

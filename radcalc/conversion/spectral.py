@@ -243,8 +243,10 @@ def behind_filter(given: Inputs) -> Inputs:
         return given
     if "spectrum" not in given:
         raise errors.Unused(["filter"], f"without {option('spectrum')}")
+    from radcalc.spectra.sources import through
+
     spectrum, others = given["spectrum"], {**given}
-    filtered = weights.through(spectrum.value, others.pop("filter").value)
+    filtered = through(spectrum.value, others.pop("filter").value)
     return {**others, "spectrum": spectrum._replace(value=filtered)}
 
 
@@ -622,10 +624,11 @@ def response(bridge: "Bridge", given: Input) -> Factor:
             raise errors.ConditionError(f"{text} is 0", "a wavelength within its response")
         step = Formula("responsivity of one wavelength", "s = s(lambda)", own.source)
         return Factor("s", value, "A/W", text, (step.with_numbers(f"s = {value:.6g} A/W"),))
+    from radcalc.spectra.contents import responsivity
     from radcalc.spectra.spectrum import range_text
 
     dark = bridge.conditions.use("dark-outside")
-    value = weights.responsivity(own, link.value, is_dark_outside=dark is not None)
+    value = responsivity(own, link.value, is_dark_outside=dark is not None)
     if not value:
         raise errors.ConditionError(f"{own.label} does not respond to {link.text}", "another light")
     low, high = link.value.limits

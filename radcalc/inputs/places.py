@@ -364,15 +364,15 @@ def _is_length(text: str) -> bool:
 
 def weight_input(symbol: Symbol, value: Any) -> Input:
     """Read the name of a weight, or a file with one; its value is its kind."""
-    from radcalc.spectra.observers import kind_of
+    from radcalc.spectra.sources import weight_of
 
     text = str(value).strip()
-    return Input(symbol, text, kind_of(text))
+    return Input(symbol, text, weight_of(text))
 
 
 def response_input(symbol: Symbol, value: Any) -> Input:
     """Read the file of a responsivity."""
-    from radcalc.spectra.observers import response_of
+    from radcalc.spectra.sources import response_of
 
     text = str(value).strip()
     return Input(symbol, text, response_of(text))
@@ -380,7 +380,7 @@ def response_input(symbol: Symbol, value: Any) -> Input:
 
 def filter_input(symbol: Symbol, value: Any) -> Input:
     """Read the files of transmittances."""
-    from radcalc.spectra.observers import transmittance_of
+    from radcalc.spectra.sources import transmittance_of
 
     text = str(value).strip()
     return Input(symbol, text, transmittance_of(text))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
-from radcalc.errors import TooNarrow, option
+from radcalc.errors import ConditionError, TooNarrow, add, option, quote
 from radcalc.quantities import KIND_NAMES, LUMINOUS, PHOTON, RADIANT, base_of
 from radcalc.spectra import observers as weights
 from radcalc.spectra.column_titles import Meaning
@@ -138,7 +138,7 @@ class Counts:
         if kind in self.ranges:
             return _in_range(self.source, kind, self.ranges[kind])
         if not self.is_dark_outside:
-            weights.refuse_uncovered(self.source, kind)
+            refuse_uncovered(self.source, kind)
         return weights.count(self.source, kind)
 
     def over(self, kind: str) -> str:
@@ -211,3 +211,33 @@ def _overlap(first: Range, second: Range) -> Range:
     """Return the common part of two ranges, or the first range if there is none."""
     low, high = max(first[0], second[0]), min(first[1], second[1])
     return (low, high) if low < high else first
+
+
+def refuse_uncovered(source: Spectrum, kind: str) -> None:
+    """Refuse a spectrum whose data do not cover the range of a weight, and name what is missing."""
+    if limits := weights.range_of(kind):
+        _refuse_uncovered(source, limits, f"the {KIND_NAMES[kind]} weight")
+
+
+def _refuse_uncovered(source: Spectrum, limits: Range, of_what: str) -> None:
+    if source.is_whole or not isinstance(source, Table):
+        return
+    (low, high), (start, end) = limits, source.covered
+    missing = [(low, min(start, high))] if low < start else []
+    missing += [(max(end, low), high)] if high > end else []
+    if missing:
+        raise ConditionError(
+            f"the data of {quote(source.label)} cover {range_text(source.known)}, without "
+            f"{' and '.join(map(range_text, missing))} of {of_what}",
+            [add("dark-outside", remark="if it has no light there")],
+        )
+
+
+def responsivity(own: weights.Weight, source: Spectrum, *, is_dark_outside: bool = False) -> float:
+    """Return the amperes per watt of a detector under a spectrum, over all its data."""
+    if not is_dark_outside:
+        _refuse_uncovered(source, own.range, f"the responsivity of {own.label}")
+    watts = source.power(source.limits)
+    if not watts > 0:
+        raise ConditionError(f"{source.label} has no power", "another spectrum")
+    return source.weigh(own.start, own.values, own.step) / watts

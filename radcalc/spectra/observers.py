@@ -13,12 +13,11 @@ observer are its constant times the watts weighted by its table.  The rows are t
 """
 
 import math
-import os
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from radcalc.errors import ConditionError, add, nearest, quote
 from radcalc.maths import Number, is_array, larger, rounded, smaller, square
 from radcalc.quantities import KIND_NAMES, LUMINOUS, PHOTON, RADIANT, base_of, ratio_unit
 from radcalc.spectra.data.observers import (
@@ -348,7 +347,6 @@ def _of_row(kind: str) -> Weight:
 def _of_table(table: str, column: str) -> "Callable[[float], float]":
     """Return the function of a column of a file of data, between its points and 0 outside."""
     from radcalc.quantities.names import data_rows
-    from radcalc.spectra.spectrum import at
 
     lines = data_rows(table, "spectra/data")
     titles = _titles(table)
@@ -357,8 +355,15 @@ def _of_table(table: str, column: str) -> "Callable[[float], float]":
     grid, values = [nm for nm, _ in points], [w for _, w in points]
     if table in LOGARITHMIC:
         logs = [math.log(w) for w in values]
-        return lambda nm: math.exp(at(grid, logs, nm)) if grid[0] <= nm <= grid[-1] else 0.0
-    return lambda nm: at(grid, values, nm) if grid[0] <= nm <= grid[-1] else 0.0
+        return lambda nm: math.exp(_at(grid, logs, nm)) if grid[0] <= nm <= grid[-1] else 0.0
+    return lambda nm: _at(grid, values, nm) if grid[0] <= nm <= grid[-1] else 0.0
+
+
+def _at(grid: Sequence[float], values: Sequence[float], place: float) -> float:
+    """Return the value of a table at a place within it."""
+    index = min(max(bisect_right(grid, place) - 1, 0), len(grid) - 2)
+    share = (place - grid[index]) / (grid[index + 1] - grid[index])
+    return values[index] + (values[index + 1] - values[index]) * share
 
 
 def _titles(table: str) -> list[str]:
@@ -371,164 +376,6 @@ def _titles(table: str) -> list[str]:
 def names() -> dict[str, str]:
     """Return the kinds of the weights by their names."""
     return {row[0]: kind for kind, row in WEIGHTS.items()}
-
-
-def kind_of(text: str) -> str:
-    """Return the kind of a weight by its name or the path of its file."""
-    known = names()
-    folded = text.lower().replace("_", "-").replace(" ", "-")
-    if folded in known:
-        return known[folded]
-    if _is_file(text):
-        return of_file(text, os.path.splitext(os.path.basename(text))[0])
-    near = nearest(folded, known)
-    hint = [add("weight", name) for name in near] or ", ".join(known)
-    raise ConditionError(f"unknown weight '{quote(text)}' (and no such file)", hint)
-
-
-def responsivity(own: Weight, source: "Spectrum", *, is_dark_outside: bool = False) -> float:
-    """Return the amperes per watt of a detector under a spectrum, over all its data."""
-    if not is_dark_outside:
-        _refuse_uncovered(source, own.range, f"the responsivity of {own.label}")
-    watts = source.power(source.limits)
-    if not watts > 0:
-        raise ConditionError(f"{source.label} has no power", "another spectrum")
-    return source.weigh(own.start, own.values, own.step) / watts
-
-
-def through(source: "Spectrum", own: Weight) -> "Spectrum":
-    """Return a spectrum behind a filter, over the wavelengths that both have."""
-    from radcalc.spectra.spectrum import BlackBody, Lines, Table
-
-    label = f"{source.label} behind {own.label}"
-    low, high = max(own.range[0], source.known[0]), min(own.range[1], source.known[1])
-    if isinstance(source, Lines):
-        beyond = [place for place, _ in source.lines if not low <= place <= high]
-        if beyond:
-            problem = f"the filter {own.label} has no value at {beyond[0]:g} nm"
-            raise ConditionError(problem, "a filter with all the lines")
-        lines = [(place, watts * own.at(place)) for place, watts in source.lines]
-        return Lines(label, [line for line in lines if line[1] > 0] or lines)
-    if low >= high:
-        raise ConditionError(f"the filter {own.label} has no value where {source.label} has", "")
-    steps = math.floor((own.range[1] - own.range[0]) / own.step + 1e-6)
-    points = {own.start + own.step * k for k in range(steps + 1)}
-    if isinstance(source, BlackBody):
-        points |= {float(nm) for nm in range(math.ceil(low), math.floor(high) + 1)}
-        grid = sorted({low, high, *[x for x in points if low <= x <= high]})
-        watts = spectral_exitances([1e-9 * x for x in grid], source.temperature)
-        values = [1e-9 * y for y in watts]
-    else:
-        assert isinstance(source, Table)
-        from radcalc.spectra.spectrum import at
-
-        grid = sorted({low, high, *[x for x in (*points, *source.grid) if low <= x <= high]})
-        values = [at(source.grid, source.values, x) for x in grid]
-    values = [y * own.at(x) for x, y in zip(grid, values, strict=True)]
-    if not any(values):
-        raise ConditionError(f"nothing of {source.label} is behind {own.label}", "another filter")
-    limits = max(low, source.limits[0]), min(high, source.limits[1])
-    filtered = Table(label, grid, values, limits, source.notes, source.absolute)
-    filtered.reading = source.reading
-    return filtered
-
-
-def _is_file(text: str) -> bool:
-    return os.path.isfile(text) or os.path.isfile(text.rpartition(":")[0])
-
-
-def of_file(path: str, name: str) -> str:
-    """Return the kind of the weight in a file; a file that is read again has the same.
-
-    Its values are of watts, or of photons if its title has a quantum efficiency or photons.
-    """
-    curve, own = _curve(path)
-    if own.acts_on == CURRENT:
-        raise ConditionError(
-            f"{curve} has a responsivity in A/W, not a weight", [add("response", path)]
-        )
-    for kind, known in OWN.items():
-        if known[2:] == own[2:] and known.label == name:
-            return kind
-    from radcalc.quantities.names import add_weight
-
-    kind = add_weight(name, own.acts_on, f"the file {curve}")
-    OWN[kind] = own._replace(kind=kind, label=name)
-    return kind
-
-
-CURRENT = "A"  # of a detector, per watt
-OF_PHOTONS = ("quantum", "photon", "qe", "eqe", "iqe", "ipce")
-STEPS_OF_FILES = (1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.02, 0.01)  # nm
-MOST_POINTS = 1_000_000
-
-
-def _curve(path: str) -> tuple[str, Weight]:
-    """Return the name of a file and the weight in it, at equal steps."""
-    from radcalc.files.columns import plain
-    from radcalc.spectra.files import read_curve
-    from radcalc.spectra.spectrum import at
-    from radcalc.units.dimensions import RESPONSIVITY
-    from radcalc.units.table import unit_of
-
-    curve = read_curve(path)
-    start, end = curve.grid[0], curve.grid[-1]
-    for step in STEPS_OF_FILES:
-        offsets = [(x - start) / step for x in curve.grid]
-        if all(abs(x - round(x)) < 1e-6 for x in offsets):
-            break
-    count = math.floor((end - start) / step + 1e-6) + 1
-    if count > MOST_POINTS:
-        raise ConditionError(f"{curve.name} spans {end - start:g} nm", "a narrower weight")
-    title, factor, acts_on = plain(curve.title), 1.0, RADIANT
-    texts = [part.strip(" ()[]") for part in curve.title.replace("[", "(").split("(")]
-    units = [unit for text in texts if (unit := unit_of(text))]
-    if any(unit.dimension == RESPONSIVITY for unit in units):
-        acts_on, factor = CURRENT, next(u.factor for u in units if u.dimension == RESPONSIVITY)
-    elif "%" in title or "percent" in title:
-        factor = 0.01
-    if acts_on == RADIANT and not {*title.replace("_", " ").split()}.isdisjoint(OF_PHOTONS):
-        acts_on = PHOTON
-    values = [
-        factor * at(curve.grid, curve.values, min(start + step * k, end)) for k in range(count)
-    ]
-    own = Weight("", curve.name, acts_on, start, step, tuple(values), f"the file {curve.name}")
-    return curve.name, own
-
-
-def response_of(path: str) -> Weight:
-    """Return the responsivity in a file [A/W], from its title, or from a quantum efficiency."""
-    name, own = _curve(path)
-    if own.acts_on == PHOTON:
-        charge = value("elementary_charge")
-        amperes = [w * charge * photons(own.start + own.step * k) for k, w in enumerate(own.values)]
-        return own._replace(acts_on=CURRENT, values=tuple(amperes))
-    if own.acts_on != CURRENT:
-        problem = f"the title of {name} does not state A/W or a quantum efficiency"
-        raise ConditionError(problem, "a title such as: responsivity (A/W)")
-    return own
-
-
-def transmittance_of(text: str) -> Weight:
-    """Return the transmittance of a file, or the product of those of several, by commas."""
-    paths = [text] if _is_file(text) else text.split(",")
-    curves = [_curve(path.strip())[1] for path in paths]
-    for own in curves:
-        if max(own.values) > 1 or own.acts_on != RADIANT:
-            problem = (
-                f"{own.label} is not a transmittance: its values are up to {max(own.values):g}"
-            )
-            raise ConditionError(problem, "values from 0 to 1, or a title with %")
-    low, high = max(own.range[0] for own in curves), min(own.range[1] for own in curves)
-    step = min(own.step for own in curves)
-    if low >= high:
-        raise ConditionError(
-            f"the files {quote(text)} have no range in common", "files that overlap"
-        )
-    points = [low + step * k for k in range(math.floor((high - low) / step + 1e-6) + 1)]
-    values = [math.prod(own.at(x) for own in curves) for x in points]
-    label = " and ".join([own.label for own in curves])
-    return Weight("", label, RADIANT, low, step, tuple(values), f"the file {label}")
 
 
 def observer_of(kind: str) -> Observer | None:
@@ -569,28 +416,6 @@ def _is_band(kind: str) -> bool:
 def range_of(kind: str) -> "Range | None":
     """Return the range [nm] of a weight that a spectrum must cover, or None."""
     return weight(kind).range if kind in WEIGHTS and observer_of(kind) is None else None
-
-
-def refuse_uncovered(source: "Spectrum", kind: str) -> None:
-    """Refuse a spectrum whose data do not cover the range of a weight, and name what is missing."""
-    if limits := range_of(kind):
-        _refuse_uncovered(source, limits, f"the {KIND_NAMES[kind]} weight")
-
-
-def _refuse_uncovered(source: "Spectrum", limits: "Range", of_what: str) -> None:
-    from radcalc.spectra.spectrum import Table, range_text
-
-    if source.is_whole or not isinstance(source, Table):
-        return
-    (low, high), (start, end) = limits, source.covered
-    missing = [(low, min(start, high))] if low < start else []
-    missing += [(max(end, low), high)] if high > end else []
-    if missing:
-        raise ConditionError(
-            f"the data of {quote(source.label)} cover {range_text(source.known)}, without "
-            f"{' and '.join(map(range_text, missing))} of {of_what}",
-            [add("dark-outside", remark="if it has no light there")],
-        )
 
 
 GRID = tuple([float(nm) for nm in range(100, 1201)])  # for the bounds of ratios

@@ -7,8 +7,11 @@ from functools import cache
 from radcalc import errors
 from radcalc.errors import command, option, quote
 from radcalc.files import ENDINGS
+from radcalc.quantities import PHOTON, RADIANT
 from radcalc.spectra import AXES, FORMS, example
+from radcalc.spectra import observers as weights
 from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
+from radcalc.spectra.observers import OWN as OWN_WEIGHTS
 from radcalc.spectra.spectrum import (
     LONGEST,
     SHORTEST,
@@ -21,6 +24,7 @@ from radcalc.spectra.spectrum import (
     Range,
     Spectrum,
     Table,
+    at,
     integral,
     range_text,
 )
@@ -34,6 +38,7 @@ from radcalc.units.ranges import MOST, read_series
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
 from radcalc.units.values import find_scale
+from radcalc.units.values import value as constant
 
 SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
 SOLAR_CONSTANT = 1366.1  # W/m2, ASTM E490
@@ -440,3 +445,157 @@ def _gaussian(text: str, centre: float, fwhm: float) -> Table:
             *(p for p in pairs if p[0] > SHORTEST),
         ]
     return Table(text, [x for x, _ in pairs], [y for _, y in pairs], is_whole=True)
+
+
+# ---------------------------------------------------------------------------------------------
+# Weights, responsivities and filters of files
+
+
+def weight_of(text: str) -> str:
+    """Return the kind of a weight by its name or the path of its file."""
+    known = weights.names()
+    folded = text.lower().replace("_", "-").replace(" ", "-")
+    if folded in known:
+        return known[folded]
+    if _is_file(text):
+        return of_file(text, os.path.splitext(os.path.basename(text))[0])
+    near = errors.nearest(folded, known)
+    hint = [errors.add("weight", name) for name in near] or ", ".join(known)
+    raise errors.ConditionError(f"unknown weight '{quote(text)}' (and no such file)", hint)
+
+
+def _is_file(text: str) -> bool:
+    return os.path.isfile(text) or os.path.isfile(text.rpartition(":")[0])
+
+
+def of_file(path: str, name: str) -> str:
+    """Return the kind of the weight in a file; a file that is read again has the same.
+
+    Its values are of watts, or of photons if its title has a quantum efficiency or photons.
+    """
+    curve, own = _curve(path)
+    if own.acts_on == CURRENT:
+        raise errors.ConditionError(
+            f"{curve} has a responsivity in A/W, not a weight", [errors.add("response", path)]
+        )
+    for kind, known in OWN_WEIGHTS.items():
+        if known[2:] == own[2:] and known.label == name:
+            return kind
+    from radcalc.quantities.names import add_weight
+
+    kind = add_weight(name, own.acts_on, f"the file {curve}")
+    OWN_WEIGHTS[kind] = own._replace(kind=kind, label=name)
+    return kind
+
+
+CURRENT = "A"  # of a detector, per watt
+OF_PHOTONS = ("quantum", "photon", "qe", "eqe", "iqe", "ipce")
+STEPS_OF_FILES = (1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.02, 0.01)  # nm
+MOST_POINTS = 1_000_000
+
+
+def _curve(path: str) -> tuple[str, weights.Weight]:
+    """Return the name of a file and the weight in it, at equal steps."""
+    from radcalc.files.columns import plain
+    from radcalc.spectra.files import read_curve
+    from radcalc.units.dimensions import RESPONSIVITY
+    from radcalc.units.table import unit_of
+
+    curve = read_curve(path)
+    start, end = curve.grid[0], curve.grid[-1]
+    for step in STEPS_OF_FILES:
+        offsets = [(x - start) / step for x in curve.grid]
+        if all(abs(x - round(x)) < 1e-6 for x in offsets):
+            break
+    count = math.floor((end - start) / step + 1e-6) + 1
+    if count > MOST_POINTS:
+        raise errors.ConditionError(f"{curve.name} spans {end - start:g} nm", "a narrower weight")
+    title, factor, acts_on = plain(curve.title), 1.0, RADIANT
+    texts = [part.strip(" ()[]") for part in curve.title.replace("[", "(").split("(")]
+    units = [unit for text in texts if (unit := unit_of(text))]
+    if any(unit.dimension == RESPONSIVITY for unit in units):
+        acts_on, factor = CURRENT, next(u.factor for u in units if u.dimension == RESPONSIVITY)
+    elif "%" in title or "percent" in title:
+        factor = 0.01
+    if acts_on == RADIANT and not {*title.replace("_", " ").split()}.isdisjoint(OF_PHOTONS):
+        acts_on = PHOTON
+    values = [
+        factor * at(curve.grid, curve.values, min(start + step * k, end)) for k in range(count)
+    ]
+    own = weights.Weight(
+        "", curve.name, acts_on, start, step, tuple(values), f"the file {curve.name}"
+    )
+    return curve.name, own
+
+
+def response_of(path: str) -> weights.Weight:
+    """Return the responsivity in a file [A/W], from its title, or from a quantum efficiency."""
+    name, own = _curve(path)
+    if own.acts_on == PHOTON:
+        charge = constant("elementary_charge")
+        amperes = [
+            w * charge * weights.photons(own.start + own.step * k) for k, w in enumerate(own.values)
+        ]
+        return own._replace(acts_on=CURRENT, values=tuple(amperes))
+    if own.acts_on != CURRENT:
+        problem = f"the title of {name} does not state A/W or a quantum efficiency"
+        raise errors.ConditionError(problem, "a title such as: responsivity (A/W)")
+    return own
+
+
+def transmittance_of(text: str) -> weights.Weight:
+    """Return the transmittance of a file, or the product of those of several, by commas."""
+    paths = [text] if _is_file(text) else text.split(",")
+    curves = [_curve(path.strip())[1] for path in paths]
+    for own in curves:
+        if max(own.values) > 1 or own.acts_on != RADIANT:
+            most = f"its values are up to {max(own.values):g}"
+            problem = f"{own.label} is not a transmittance: {most}"
+            raise errors.ConditionError(problem, "values from 0 to 1, or a title with %")
+    low, high = max(own.range[0] for own in curves), min(own.range[1] for own in curves)
+    step = min(own.step for own in curves)
+    if low >= high:
+        raise errors.ConditionError(
+            f"the files {quote(text)} have no range in common", "files that overlap"
+        )
+    points = [low + step * k for k in range(math.floor((high - low) / step + 1e-6) + 1)]
+    values = [math.prod(own.at(x) for own in curves) for x in points]
+    label = " and ".join([own.label for own in curves])
+    return weights.Weight("", label, RADIANT, low, step, tuple(values), f"the file {label}")
+
+
+def through(source: Spectrum, own: weights.Weight) -> Spectrum:
+    """Return a spectrum behind a filter, over the wavelengths that both have."""
+    label = f"{source.label} behind {own.label}"
+    low, high = max(own.range[0], source.known[0]), min(own.range[1], source.known[1])
+    if isinstance(source, Lines):
+        beyond = [place for place, _ in source.lines if not low <= place <= high]
+        if beyond:
+            problem = f"the filter {own.label} has no value at {beyond[0]:g} nm"
+            raise errors.ConditionError(problem, "a filter with all the lines")
+        lines = [(place, watts * own.at(place)) for place, watts in source.lines]
+        return Lines(label, [line for line in lines if line[1] > 0] or lines)
+    if low >= high:
+        raise errors.ConditionError(
+            f"the filter {own.label} has no value where {source.label} has", ""
+        )
+    steps = math.floor((own.range[1] - own.range[0]) / own.step + 1e-6)
+    points = {own.start + own.step * k for k in range(steps + 1)}
+    if isinstance(source, BlackBody):
+        points |= {float(nm) for nm in range(math.ceil(low), math.floor(high) + 1)}
+        grid = sorted({low, high, *[x for x in points if low <= x <= high]})
+        watts = weights.spectral_exitances([1e-9 * x for x in grid], source.temperature)
+        values = [1e-9 * y for y in watts]
+    else:
+        assert isinstance(source, Table)
+        grid = sorted({low, high, *[x for x in (*points, *source.grid) if low <= x <= high]})
+        values = [at(source.grid, source.values, x) for x in grid]
+    values = [y * own.at(x) for x, y in zip(grid, values, strict=True)]
+    if not any(values):
+        raise errors.ConditionError(
+            f"nothing of {source.label} is behind {own.label}", "another filter"
+        )
+    limits = max(low, source.limits[0]), min(high, source.limits[1])
+    filtered = Table(label, grid, values, limits, source.notes, source.absolute)
+    filtered.reading = source.reading
+    return filtered
