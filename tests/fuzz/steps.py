@@ -60,6 +60,16 @@ def turns(*plans: Plan) -> int:
     return sum(factor.letter == "cos(theta)" for made in plans for factor, _ in made.links)
 
 
+def same_light(direct: Plan, first: Plan, second: Plan) -> bool:
+    """Return whether two steps have the kinds of light of one step, and meet in one."""
+    pairs = (
+        (first.source, direct.source),
+        (first.target, second.source),
+        (second.target, direct.target),
+    )
+    return all(one.dimension == other.dimension for one, other in pairs)
+
+
 def splits(names: Names) -> Iterator[tuple[Names, Names]]:
     """Yield all ways to give each condition to the first step, the second, or both."""
     for parts in product((1, 2, 3), repeat=len(names)):
@@ -79,6 +89,8 @@ def compare(source: str, target: str, names: Names) -> int:
         first, second = planned(source, between, one), planned(between, target, two)
         if between in (source, target) or first is None or second is None:
             continue
+        if not same_light(direct, first, second):
+            continue  # an observer of one step has lumens of its own
         if at_radiance and cones(direct) != cones(first, second):
             continue
         if turns(direct) != turns(first, second):
