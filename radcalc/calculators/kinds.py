@@ -39,6 +39,8 @@ from radcalc.units.table import resolve
 
 def dimension(name: str, kind: str) -> Dimension:
     """Return the dimension of a light quantity (generic name) in a kind."""
+    if kind in KINDS:
+        return SYMBOLS[name].dimensions[KINDS.index(kind)]
     return of_kind(SYMBOLS[name].dimensions[KINDS.index(base_of(kind))], kind)
 
 

@@ -19,7 +19,7 @@ from radcalc.quantities.language import names_meant
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity, as_seen
 from radcalc.quantities.search import called, comparable, label_of, symbol_key
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, is_alone, light_unit
-from radcalc.units import INVERSE_TEMPERATURE, NUMBER, Dimension, Unit
+from radcalc.units import INVERSE_TEMPERATURE, NUMBER, WEIGHT_AT, Dimension, Unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 
@@ -115,6 +115,8 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
 def of_eyes(value: Value, unit: Unit) -> Unit:
     """Return a unit of lumens for a result of an observer as one of its own lumens."""
     own = value.dimensions[0]
+    if not own[WEIGHT_AT]:
+        return unit
     place, pair = place_of(own), ratio_of(own)
     kinds = [kind for kind in (*(place or ())[:1], *(pair or ())) if kind in OBSERVERS.values()]
     return as_seen(unit, kinds[0]) if kinds else unit

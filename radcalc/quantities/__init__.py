@@ -131,8 +131,9 @@ def kind_of_observer(name: str) -> str:
 
 def in_words(kind: str, names: tuple[str, ...]) -> str:
     """Return the name of a quantity in a kind: irradiance of melanopic watts."""
-    name = names[KINDS.index(base_of(kind))]
-    return f"{KIND_NAMES[kind]} {name}" if kind in WEIGHTS else name
+    if kind in FLUX:
+        return names[KINDS.index(kind)]
+    return f"{KIND_NAMES[kind]} {names[KINDS.index(base_of(kind))]}"
 
 
 OTHERS = {
@@ -193,7 +194,7 @@ class Reading(NamedTuple):
     @property
     def is_count(self) -> bool:
         """Return whether it is a number of photons, which growers and loggers write for a PPFD."""
-        return (base_of(self.kind), self.geometry) == (PHOTON, (1, 0, 0))
+        return (self.kind, self.geometry) == (PHOTON, (1, 0, 0))
 
     @property
     def is_radiance(self) -> bool:
@@ -216,6 +217,8 @@ class Reading(NamedTuple):
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
     """Return the dimension of a light quantity."""
+    if kind in FLUX:
+        return _DIMENSIONS[kind, geometry, axis]
     return of_kind(_DIMENSIONS[base_of(kind), geometry, axis], kind)
 
 
@@ -239,6 +242,8 @@ GRID = {
 
 def place_of(dimension: Dimension) -> tuple[str, int, int, int, str] | None:
     """Return the facts of a light quantity from its dimension; None for any other."""
+    if not dimension[WEIGHT_AT]:
+        return GRID.get(dimension)
     plain, kind = in_a_kind(dimension)
     facts = GRID.get(plain)
     if not kind or facts is None:
@@ -258,8 +263,11 @@ def read(unit: Unit) -> Reading | None:
     """Return the facts of a light quantity from a unit; None for any other quantity."""
     if unit.dimension == dimensions.RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
-    facts = place_of(unit.dimension)
-    plain, kind = in_a_kind(unit.dimension)
+    if not unit.dimension[WEIGHT_AT]:
+        facts, plain, kind = GRID.get(unit.dimension), unit.dimension, ""
+    else:
+        facts = place_of(unit.dimension)
+        plain, kind = in_a_kind(unit.dimension)
     if plain in _BY_ENERGY and _is_per_energy(unit):
         facts = (kind or _BY_ENERGY[plain][0], *_BY_ENERGY[plain][1:])
     return Reading(*facts) if facts else None
@@ -374,6 +382,8 @@ def coherent_text(reading: Reading) -> str:
     """Return the coherent SI unit of a light quantity as text."""
     if reading.retinal:
         return "td"
+    if reading.kind in FLUX:
+        return _plain_text(reading)
     return with_suffix(_plain_text(reading._replace(kind=base_of(reading.kind))), reading.kind)
 
 

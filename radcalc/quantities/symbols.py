@@ -740,8 +740,10 @@ LIGHT_UNITS = {
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
     """Return the unit of display, or the coherent unit, of a light quantity with a generic name."""
     geometry = _LIGHT_ROWS[name][1]
-    text = LIGHT_UNITS[geometry][coherent][KINDS.index(base_of(kind))]
-    return with_suffix("lm/m2" if text == "lx" and name == "exitance" else text, kind)
+    base = base_of(kind) if kind in WEIGHTS else kind
+    text = LIGHT_UNITS[geometry][coherent][KINDS.index(base)]
+    text = "lm/m2" if text == "lx" and name == "exitance" else text
+    return with_suffix(text, kind) if kind in WEIGHTS else text
 
 
 def _of_light(
