@@ -123,7 +123,21 @@ def parts_of(words: "Sequence[str]") -> list[str]:
         except errors.RadcalcError:
             is_one = False
     parts = [first, *rest] if is_one else [*first.split(), *rest]
-    return [part[:-1] if part[-1] == "." and part[:-1].isalpha() else part for part in parts]
+    parts = [part[:-1] if part[-1] == "." and part[:-1].isalpha() else part for part in parts]
+    return _with_magnitudes(parts) if any("mag" in part for part in parts) else parts
+
+
+def _with_magnitudes(parts: list[str]) -> list[str]:
+    """Return parts in which a magnitude of a band is one: V mag, whose V is not a volt."""
+    from radcalc.units.scale_table import OF_BANDS
+
+    joined: list[str] = []
+    while parts:
+        counts = (3, 2, 1)
+        count = next(n for n in counts if n == 1 or " ".join(parts[:n]) in OF_BANDS)
+        joined.append(" ".join(parts[:count]))
+        parts = parts[count:]
+    return joined
 
 
 def is_divisible(parts: "Sequence[str]", words: "Sequence[str]") -> bool:

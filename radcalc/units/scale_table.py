@@ -112,6 +112,32 @@ AB_MAGNITUDE = Scale(
     "an AB magnitude, at one frequency", "Oke and Gunn 1983, Astrophysical Journal 266, 713",
 )  # fmt: skip
 IN_AB = {"mag": "ABmag", "mag/arcsec2": "ABmag/arcsec2"}  # of a magnitude of the V band
+# AB magnitudes of Vega, whose own magnitudes are 0: U to I and u to z of Blanton and Roweis 2007, G
+# of Gaia EDR3, the difference of the zero points of Riello et al. 2021.
+OF_VEGA = {
+    "U": 0.79, "B": -0.09, "V": 0.02, "R": 0.21, "I": 0.45,
+    "u": 0.91, "g": -0.08, "r": 0.16, "i": 0.37, "z": 0.54, "G": 0.1137,
+}  # fmt: skip
+
+
+def _of_band(band: str, of_vega: float) -> list[Scale]:
+    """Return the magnitudes of a band: by Vega, and AB."""
+    in_ab = AB_MAGNITUDE._replace(
+        spellings=(f"{band} ABmag", f"{band} AB mag", f"ABmag_{band}", f"{band} mag AB"),
+        unit=f"Jy_{band}",
+        meaning=f"an AB magnitude in the band {band}, above the atmosphere",
+    )
+    paper = "Blanton and Roweis 2007, Astronomical Journal 133, 734"
+    source = "Riello et al. 2021, Astronomy and Astrophysics 649, A3" if band == "G" else paper
+    by_vega = in_ab._replace(
+        spellings=(f"{band} mag", f"mag_{band}", f"{band} Vega mag"),
+        size=AB_MAGNITUDE.size * 10 ** (-0.4 * of_vega),
+        meaning=f"a Vega magnitude in the band {band}: Vega has {of_vega:g} mag in AB",
+        source=source,
+    )
+    return [by_vega, in_ab]
+
+
 LUMINANCE_EV = Scale(
     ("EV", "EV100"), "L", "cd/m2", K / 100, 2, 1, 0,
     "a luminance at ISO 100", "ISO 2720", "k",
@@ -134,6 +160,7 @@ SCALES = (
         spellings=("ABmag/arcsec2",), letter="L_nu", unit="Jy/arcsec2",
         meaning="an AB magnitude of a square second of arc, at one frequency",
     ),
+    *[scale for band, of_vega in OF_VEGA.items() for scale in _of_band(band, of_vega)],
     LUMINANCE_EV,
     ILLUMINANCE_EV,
     Scale(
@@ -178,6 +205,10 @@ for _scale in SCALES:
         BY_SPELLING.setdefault(_spelling, []).append(_scale)
         if len(_spelling) > 3 and _spelling.islower():
             BY_NAME.setdefault(_spelling, []).append(_scale)
+
+
+# Spellings of magnitudes of bands that have a blank.
+OF_BANDS = {spelling for spelling in BY_SPELLING if " " in spelling and spelling[1:2] == " "}
 
 
 def usual(constant: str, settable: bool = False) -> str:

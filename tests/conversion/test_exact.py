@@ -15,9 +15,9 @@ from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any
 
 ALPHA_OPIC = ("sc", "mc", "lc", "rh", "mel")
-OF_WATTS = (*ALPHA_OPIC, "ery", "act", "uva", "blh", "par")
+OF_WATTS = (*ALPHA_OPIC, "ery", "act", "uva", "blh", "par", *"UBVRI")
 OF_EYES = ("scot", "ten", "jv", "cf", "cften")
-OF_PHOTONS = ("epar", "fr", "rs", "frs", "ypf")
+OF_PHOTONS = ("epar", "fr", "rs", "frs", "ypf", *"ugrizG")
 FOOT, INCH = Fraction("0.3048"), Fraction("0.0254")
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")
 # (units, the exact value of the first in the second), from the definitions of the units: the
@@ -146,6 +146,8 @@ EXACT = [
     *[(f"W_{kind}.s", f"J_{kind}", Fraction(1)) for kind in OF_WATTS],
     *[(f"cd_{kind}.sr", f"lx_{kind}.m2", Fraction(1)) for kind in ALPHA_OPIC],
     *[(f"lm_{kind}/m2", f"lx_{kind}", Fraction(1)) for kind in OF_EYES],
+    *[(f"kJy_{band}", f"Jy_{band}", Fraction(1000)) for band in "UBVRIugrizG"],
+    *[(f"flam_{band}.m2", f"flam_{band}.m2", Fraction(1)) for band in "UBVRIugrizG"],
     *[(f"fc_{kind}", f"cd_{kind}.sr/m2", 1 / FOOT**2) for kind in OF_EYES],
     *[(f"mol_{kind}", f"photon_{kind}", Fraction(602214076 * 10**15)) for kind in OF_PHOTONS],
 ]
