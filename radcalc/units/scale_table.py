@@ -123,14 +123,14 @@ OF_VEGA = {
 def _of_band(band: str, of_vega: float) -> list[Scale]:
     """Return the magnitudes of a band: by Vega, and AB."""
     in_ab = AB_MAGNITUDE._replace(
-        spellings=(f"{band} ABmag", f"{band} AB mag", f"ABmag_{band}", f"{band} mag AB"),
+        spellings=(f"ABmag_{band}", f"{band} ABmag", f"{band} AB mag", f"{band} mag AB"),
         unit=f"Jy_{band}",
         meaning=f"an AB magnitude in the band {band}, above the atmosphere",
     )
     paper = "Blanton and Roweis 2007, Astronomical Journal 133, 734"
     source = "Riello et al. 2021, Astronomy and Astrophysics 649, A3" if band == "G" else paper
     by_vega = in_ab._replace(
-        spellings=(f"{band} mag", f"mag_{band}", f"{band} Vega mag"),
+        spellings=(f"mag_{band}", f"{band} mag", f"{band} Vega mag"),
         size=AB_MAGNITUDE.size * 10 ** (-0.4 * of_vega),
         meaning=f"a Vega magnitude in the band {band}: Vega has {of_vega:g} mag in AB",
         source=source,

@@ -75,7 +75,7 @@ OF_WEIGHTS = ("melanopic", "rhodopic", "s-cone", "m-cone", "l-cone", "weighted l
 IN_ENGLISH |= {
     symbol.label
     for symbol in SYMBOLS.values()
-    if symbol.label.startswith((*OF_WEIGHTS, "actinic", "blue-light"))
+    if symbol.label.startswith((*OF_WEIGHTS, "actinic", "blue-light", "spectral mismatch"))
 }
 SHOWN = sorted(
     {

@@ -13,16 +13,29 @@ from helpers import for_each
 import radcalc
 from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError
-from radcalc.quantities import name_of, place_of, ratio, ratio_of, ratio_unit
-from radcalc.spectra.observers import OBSERVERS, count, observer_of, weight
+from radcalc.quantities import KIND_NAMES, name_of, place_of, ratio, ratio_of, ratio_unit
+from radcalc.spectra.observers import OBSERVERS, OWN, count, observer_of, weight
 from radcalc.spectra.sources import spectrum
-from radcalc.units import WEIGHT_AT
+from radcalc.units import WEIGHT_AT, compiled
+from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import WEIGHTS
-from radcalc.units.dimensions import weights_of
+from radcalc.units.dimensions import SUFFIXES, weights_of
 from radcalc.units.table import resolve
 
 DATA = ROOT / "radcalc" / "spectra" / "data"
 H, C, N_A = 6.62607015e-34, 299792458.0, 6.02214076e23
+
+
+@pytest.fixture(autouse=True)
+def _own_weights_are_forgotten():
+    """Take the weights of files out of the tables again."""
+    tables = (WEIGHTS, compiled.UNITS, compiled.SYMBOLS, compiled.NAMES, CATALOGUE, KIND_NAMES, OWN)
+    kept, places = [dict(table) for table in tables], [*SUFFIXES]
+    yield
+    for table, before in zip(tables, kept, strict=True):
+        table.clear()
+        table.update(before)
+    SUFFIXES[:] = places
 
 
 def number(words):

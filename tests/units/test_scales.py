@@ -282,7 +282,7 @@ def test_the_manual_describes_every_scale(name):
 
 def test_the_table_of_units_has_the_names_of_scales():
     """The table repeats them, up to `/` or `(`, because it must not import the scales."""
-    assert set(SCALE_NAMES) == {re.split(r"[/(]", scale.name)[0] for scale in SCALES}
+    assert set(SCALE_NAMES) == {re.split(r"[/(_]", scale.name)[0] for scale in SCALES}
 
 
 def test_a_scale_in_a_product_is_refused_as_a_scale_before_any_scale_is_read():
