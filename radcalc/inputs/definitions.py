@@ -1,9 +1,10 @@
-"""Units, constants, reflectances and spectra of one's own, from a file of definitions.
+"""Units, constants, reflectances, spectra and weights of one's own, from a file of definitions.
 
     NAME = VALUE = SYMBOL = ALIAS ...     a unit, as in `units/light.txt`
     constant NAME = VALUE                 a quantity of expressions and inputs: efficacy NAME
     reflectance NAME = VALUE              a constant from 0 to 1
     spectrum NAME = SPECTRUM              a named spectrum, a kind with parameters, or a file
+    weight NAME = FILE                    a weight of spectra, with units of its own: W_NAME
 
 Values are read as everywhere else, in order: a definition may use those above it.
 """
@@ -17,7 +18,8 @@ from typing import Any
 from radcalc.errors import ConditionError, Hint, RadcalcError, listed, quote, quote_path
 from radcalc.files import readable
 from radcalc.maths import LARGEST
-from radcalc.spectra import FORMS, sources
+from radcalc.quantities import KIND_NAMES
+from radcalc.spectra import FORMS, observers, sources
 from radcalc.units import (
     OWN,
     REFLECTANCES,
@@ -29,6 +31,7 @@ from radcalc.units import (
     scale_table,
     table,
 )
+from radcalc.units.dimensions import SUFFIXES
 from radcalc.units.grammar import MAX_DEPTH
 from radcalc.units.languages import definition
 from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS, find_constant
@@ -41,17 +44,19 @@ MOST_SPELLINGS = 20_000
 MOST_BITS = 4000  # of the ratio of a definition, which others may raise to a power
 EXPECTED = "a text file of definitions such as: mylamp = 54 lm/W"
 EXAMPLE = "a value such as 54 lm/W"
-SPECTRUM, REFLECTANCE = "spectrum", "reflectance"
-KINDS = ("constant", REFLECTANCE, SPECTRUM)  # the first words of definitions of one's own
+SPECTRUM, REFLECTANCE, WEIGHT = "spectrum", "reflectance", "weight"
+OF_SOURCES = (SPECTRUM, WEIGHT)  # whose values are no quantities
+KINDS = ("constant", REFLECTANCE, *OF_SOURCES)  # the first words of definitions of one's own
 RESERVED = ("pi", "per", "in", "to", "as", "into", "x", *FUNCTIONS, *OTHER_FUNCTIONS)
 NAME = re.compile(r"[^\W\d_]+(?:_\w*)?")
-SYNTAX = "NAME = VALUE, with constant, reflectance or spectrum before it for these"
+OF_WEIGHT = re.compile(r"[a-z]+")
+SYNTAX = "NAME = VALUE, with constant, reflectance, spectrum or weight before it for these"
 BREAK = re.compile(r"\r\n|\r|\n")
 TABLES: tuple[dict[str, Any], ...] = (
     OWN,
     *(compiled.UNITS, compiled.SYMBOLS, compiled.NAMES, compiled.NOTES, compiled.CONSTANTS),
     *(compiled.SPELLINGS_OF_CONSTANTS, catalogue.CATALOGUE, catalogue.CONSTANTS),
-    *(REFLECTANCES, sources.OWN),
+    *(REFLECTANCES, sources.OWN, compiled.WEIGHTS, KIND_NAMES, observers.OWN),
 )
 
 Row = dict[str, Any]
@@ -88,6 +93,7 @@ def load(path: str) -> tuple[str, ...]:
         for changed, kept in zip(TABLES, before, strict=True):
             changed.clear()
             changed.update(kept)
+        SUFFIXES[:] = compiled.WEIGHTS
         raise
     _loaded[key] = tuple(name for name in OWN if name not in before[0])
     return _loaded[key]
@@ -98,6 +104,8 @@ def _merge_all(text: str, name: str, path: str) -> None:
     spectra: dict[str, _Line] = {}
     folder = os.path.dirname(os.path.abspath(path))
     for line, row in _rows(text, name):
+        if line.kind == WEIGHT:
+            line.add_weight(row, folder)
         _merge(row, f"{os.path.basename(path)} line {line.number}")
         if line.kind == SPECTRUM:
             spectra[row["name"]] = line
@@ -138,7 +146,7 @@ def _rows(text: str, file: str) -> "Iterator[tuple[_Line, Row]]":
         if len(taken) > MOST_SPELLINGS:
             problem = f"more than {MOST_SPELLINGS} spellings, with prefixes and plurals"
             raise own.error(problem, "", "fewer definitions")
-        yield own, row if own.kind == SPECTRUM else row | own.worth(row["value"])
+        yield own, row if own.kind in OF_SOURCES else row | own.worth(row["value"])
         marks = {}
 
 
@@ -168,10 +176,12 @@ class _Line:
         if len(self.parts) < 2 or not all(self.parts):
             raise self.error("not a definition", self.line.strip())
         name, value, *aliases = self.parts
-        if self.kind == SPECTRUM:
+        if self.kind in OF_SOURCES:
             if aliases:
-                raise self.error("a spectrum has one name", aliases[0])
-            return {"kind": SPECTRUM, "name": name, "value": value}
+                raise self.error(f"a {self.kind} has one name", aliases[0])
+            if self.kind == WEIGHT and not OF_WEIGHT.fullmatch(name):
+                raise self.error(f"'{quote(name)}' is not the name of a weight", name, "a to z")
+            return {"kind": self.kind, "name": name, "value": value}
         for word in (name, *(alias for alias in aliases if alias != "_")):
             if not NAME.fullmatch(word):
                 hint = "letters, and digits only after an underscore"
@@ -191,7 +201,7 @@ class _Line:
 
     def spellings(self, row: Row) -> list[str]:
         """Return every spelling of a definition, with prefixes."""
-        if self.kind == SPECTRUM:
+        if self.kind in OF_SOURCES:
             return [row["name"]]
         names = dict.fromkeys((row["name"], *row["symbols"], *row["names"]))
         symbols = {name: symbol for symbol, name in compiled.PREFIX_SYMBOLS.items()}
@@ -206,7 +216,7 @@ class _Line:
         if line:
             problem = f"'{quote(spelling)}' is defined in line {line}, too"
             raise self.error(problem, spelling, "another name")
-        if self.kind == SPECTRUM:
+        if self.kind in OF_SOURCES:
             self.refuse_known(spelling)
             return
         entry = lookup(spelling)
@@ -221,6 +231,8 @@ class _Line:
     def refuse_known(self, name: str) -> None:
         """Raise for the name of a spectrum that is one of radcalc, or a unit."""
         is_known = name in OWN or sources.find_named(name) or name.lower() in FORMS
+        if self.kind == WEIGHT:
+            is_known = is_known or name in {*compiled.WEIGHTS, *observers.names()}
         if is_known or lookup(name) or name.lower() in table.GROWERS_WORDS:
             raise self.error(f"'{quote(name)}' is a name of radcalc", name, "another name")
 
@@ -237,6 +249,17 @@ class _Line:
             error = sources.unknown(source)
             raise self.error(error.message, source, error.hint, True)
         return path
+
+    def add_weight(self, row: Row, folder: str) -> None:
+        """Read the file of a weight, which is from the folder of the definitions."""
+        path = os.path.join(folder, os.path.expanduser(row["value"]))
+        if not os.path.isfile(path):
+            problem = f"there is no file '{quote(row['value'])}'"
+            raise self.error(problem, row["value"], "a file of a weight", True)
+        try:
+            sources.of_file(path, row["name"])
+        except RadcalcError as error:
+            raise self.error(error.message, row["value"], error.hint, True) from None
 
     def worth(self, value: str) -> Row:
         """Return the exact value and the dimension; raise for a value that is not one above 0."""
@@ -273,6 +296,7 @@ def _merge(row: Row, place: str) -> None:
     OWN[name] = note, row.get("uses", ())
     if row["kind"] == SPECTRUM:
         sources.OWN[name] = row["value"]
+    if row["kind"] in OF_SOURCES:
         return
     worth = (row["top"], row["bottom"], tuple(row["powers"]))
     source = f"own definition, {place}"

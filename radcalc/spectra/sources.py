@@ -456,6 +456,7 @@ def weight_of(text: str) -> str:
     known = weights.names()
     folded = text.lower().replace("_", "-").replace(" ", "-")
     if folded in known:
+        read_own(folded)
         return known[folded]
     if _is_file(text):
         return of_file(text, os.path.splitext(os.path.basename(text))[0])

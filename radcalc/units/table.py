@@ -110,6 +110,7 @@ def _keep_own(unit: Unit) -> None:
     for atom, _ in unit.atoms if OWN else ():
         _, name = lookup(atom) or ("", atom)
         read_own(name)
+        read_own(name.partition("_")[0])  # a weight, of W_NAME
 
 
 def _named_in_words(text: str) -> Unit | None:
