@@ -20,6 +20,7 @@ from radcalc.quantities.names import LABELS, QUANTITIES, Quantity, as_seen
 from radcalc.quantities.search import called, comparable, label_of, symbol_key
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, is_alone, light_unit
 from radcalc.units import INVERSE_TEMPERATURE, NUMBER, WEIGHT_AT, Dimension, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 
@@ -102,7 +103,8 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
             message = f"{name_in(value, unit.dimension)} in {quote(unit.text)} {NEEDS_LINK}"
-            raise errors.MissingInput(message, LINKS_HINT)
+            kind = wanted_grid[0] if wanted_grid else ""
+            raise errors.MissingInput(message, LINKS_HINT, _of_weight(kind, value))
         raise _wrong_unit(value, unit, among)
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
@@ -110,6 +112,15 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     return check_representable(
         value.name, amount * (float(ratio) if is_array(amount) else ratio), amount
     )
+
+
+def _of_weight(kind: str, value: Value) -> list[errors.Try]:
+    """Propose the weight of a kind, with a spectrum unless the light has one."""
+    if kind not in WEIGHTS:
+        return []
+    weight = ("weight", WEIGHTS[kind][0])
+    linked = [weight] if value.reach else [("spectrum", "sun"), weight]
+    return [errors.Try(tuple(linked))]
 
 
 def of_eyes(value: Value, unit: Unit) -> Unit:

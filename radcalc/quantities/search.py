@@ -16,6 +16,7 @@ from radcalc.quantities import (
     GEOMETRIES,
     KIND_NAMES,
     KINDS,
+    LUMINOUS,
     NONE,
     OTHERS,
     PER_WAVELENGTH,
@@ -172,6 +173,9 @@ def _other_quantities() -> Iterator[Other]:
         for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
             name = Reading(kind, *geometry, axis).name.partition(" (")[0]
             yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
+    for suffix, (name, base, *_) in WEIGHTS.items():  # blue-light, epar
+        if base != LUMINOUS and name not in table.PAR:
+            yield Other((name,), resolve(light_unit("irradiance", suffix)))
     for own, name in QUANTITIES_OF_UNITS.items():
         symbols = CATALOGUE[own][0]
         shorter = name.replace("melanopic", "mel").replace(" (", " ").rstrip(")")

@@ -7,6 +7,7 @@ from radcalc.calculators.page import Page
 from radcalc.errors import MOST, Try, input_of, mention
 from radcalc.quantities import read as read_light
 from radcalc.quantities import result_name, symbols
+from radcalc.quantities.names import kind_of
 from radcalc.quantities.search import is_name
 from radcalc.quantities.symbols import SYMBOLS, generic_name, in_kind
 from radcalc.sentences import Amount
@@ -24,6 +25,7 @@ from radcalc.sentences.phrases import BESIDE, COMMAND, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.tuples import NamedTuple
 from radcalc.units import NUMBER, Unit
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,
@@ -311,6 +313,9 @@ def on_page(words: list[str], page: Page, given: Facts, goal: Goal | None) -> li
         words.append(_input(name, fact))
     if goal is None:
         return [words]
+    kind = kind_of(goal.unit) if goal.unit else ""
+    if kind in WEIGHTS and "spectrum" in given and "weight" in page.listed:
+        words.append(f"weight={WEIGHTS[kind][0]}")
     return [[*words, f"get={name}"] for name in _results(page, goal, given)]
 
 
