@@ -79,7 +79,7 @@ CONVERSIONS = {
         ""),
     "an efficacy above the observer's maximum is refused": (
         "W", "lm", {"efficacy": "1701lm/W", "observer": "scotopic"},
-        "no light gives more than 1700.06 lm_scot/W", "1700.06 lm/W"),
+        "no light gives more than 1700.06 lm_scot/W", "1700.06 lm_scot/W"),
     "isotropic light is not in a cone": (
         "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradicts", "leave out"),
     "an apex angle is twice the half angle": (

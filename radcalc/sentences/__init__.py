@@ -12,15 +12,16 @@ from contextlib import suppress
 from functools import cache, lru_cache
 
 from radcalc.errors import RadcalcError, UsageError, ambiguous, call, nearest, quote
-from radcalc.quantities import PHOTON
+from radcalc.quantities import LUMINOUS, PHOTON
 from radcalc.quantities import read as read_light
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import DLI, LABELS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import comparable
-from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS, specific_name
 from radcalc.sentences.phrases import FILLERS, PHRASES, Phrase
 from radcalc.tuples import NamedTuple
 from radcalc.units import LENGTH_ALONE, NUMBER, OWN, WAVELENGTH_UNITS, Dimension, Unit, table
+from radcalc.units.compiled import WEIGHTS
 from radcalc.units.dimensions import TIME
 from radcalc.units.numbers import find_constant
 from radcalc.units.reading import read_amount
@@ -71,6 +72,11 @@ def names(languages: tuple[str, ...] = LANGUAGES) -> "dict[str, tuple[str, ...]]
         for word in words.split() if name in SYMBOLS else ():
             if comparable(word) not in FILLERS:
                 add(word, name)
+    for kind, (weight, base, *_) in WEIGHTS.items():
+        if base != LUMINOUS and weight not in table.PAR:
+            own = specific_name("irradiance", kind)
+            add(weight, own)
+            add(own, own)
     for quantity in QUANTITIES:
         for own in symbols_of(quantity):
             for text in (text for language in languages for text in quantity.names(language)):

@@ -33,7 +33,7 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
-from radcalc.units.table import unit_of
+from radcalc.units.table import resolve, unit_of
 
 
 class Frame(NamedTuple):
@@ -308,6 +308,7 @@ def on_page(words: list[str], page: Page, given: Facts, goal: Goal | None) -> li
     """Return calls with facts as options of a page, one for each result that the goal may mean."""
     if not {*given} <= taken_by(page):
         return []
+    goal = goal and _with_weight(goal)
     words = [*words]
     for name, fact in given.items():
         words.append(_input(name, fact))
@@ -317,6 +318,16 @@ def on_page(words: list[str], page: Page, given: Facts, goal: Goal | None) -> li
     if kind in WEIGHTS and "spectrum" in given and "weight" in page.listed:
         words.append(f"weight={WEIGHTS[kind][0]}")
     return [[*words, f"get={name}"] for name in _results(page, goal, given)]
+
+
+def _with_weight(goal: Goal) -> Goal:
+    """Return a goal of weighted light with its unit, which no other light has."""
+    names = [name for name in goal.names if symbols.weighted_generic(name)]
+    if goal.unit or not names:
+        return goal
+    symbol = symbols.SYMBOLS[names[0]]
+    unit = resolve(symbol.unit.replace(" ", "."))
+    return goal._replace(text=unit.text, unit=unit, names=())
 
 
 def _taken(name: str, fact: Fact, taken: set[str]) -> str:

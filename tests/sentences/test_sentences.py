@@ -233,7 +233,7 @@ REFUSED = [
     ("covnert 5 lx fc", "unknown command 'covnert'", "radcalc convert 5 lx fc"),
     ("138 cd at 1,5 m", "has a comma in its number", "1.5 m"),
     ("malus 30 deg", "unknown command 'malus'", ""),
-    ("melanopic 100 lx D65", "", ""),
+    ("circadian 100 lx D65", "", ""),
     ("photon 5s", "not time", ""),
     ("800 cd 3 m above at 30 deg to lx", "2 readings", "--height 3m"),
     ("iso 400 ev 9 f/4 how long", "2 readings", "--ev 9"),

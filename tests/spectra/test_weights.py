@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, run
+from conftest import ROOT, process, run
 from helpers import for_each
 
 import radcalc
@@ -473,3 +473,37 @@ def test_a_detector_from_a_file_and_its_spectral_mismatch(tmp_path):
     assert amperes == pytest.approx(
         np.trapezoid(suns["global"] * cell, suns.index) / watts, rel=1e-6
     )
+
+
+SENTENCES = {
+    "20000 cd at 8 m to melanopic EDI under D65": ("312.5", "lx_mel"),
+    "20000 cd at 8 m to lx_mel under D65": ("312.5", "lx_mel"),
+    "20000 cd at 8 m to melanopic under D65": ("0.414439297235", "W_mel/m2"),
+    "100 lx to melanopic irradiance under D65": ("0.132620575115", "W_mel/m2"),
+    "8 uvi in mW_ery/m2": ("200", "mW_ery/m2"),
+}
+
+
+@for_each(SENTENCES.items())
+def test_a_sentence_has_the_kind_of_its_weight(sentence, answer):
+    """312.5 lx of D65 are 312.5 lx of melanopic EDI, by 1.32621 mW/lm 0.41444 W/m2."""
+    assert tuple(run(*sentence.split()).stdout.split()) == answer
+
+
+def test_a_weight_of_definitions(tmp_path):
+    (tmp_path / "cry.csv").write_text("nm,action\n400,0\n500,1\n600,0\n")
+    own = tmp_path / "own.txt"
+    own.write_text("weight cryptochrome = cry.csv\n")
+    words = f"100 lx W_cryptochrome/m2 --spectrum D65 --definitions {own}"
+    done = process("convert", *words.split())
+    assert done.returncode == 0
+    assert "own definition: cryptochrome = cry.csv" in done.stderr
+    for line, said in {
+        "weight melanopic = cry.csv": "'melanopic' is a name of radcalc",
+        "weight foo = nowhere.csv": "there is no file 'nowhere.csv'",
+        "weight F2 = cry.csv": "'F2' is not the name of a weight",
+    }.items():
+        own.write_text(line + "\n")
+        refused = process("convert", *f"1 lx fc --definitions {own}".split())
+        assert refused.returncode == 2
+        assert said in refused.stderr
