@@ -262,7 +262,8 @@ class _Surroundings:
         self.uses_own_efficacy = bool(environment.efficacy) and not set(LINKS) & set(links)
         if self.uses_own_efficacy:
             links = {**links, "efficacy": read("efficacy", f"{environment.efficacy:g} lm/W")}
-        self.lit = kinds.read_light({}, links)._replace(kind=self.kind, mixed=lit.mixed)
+        again = kinds.read_light({}, links)
+        self.lit = again._replace(kind=self.kind, mixed=lit.mixed, kinds=lit.kinds)
 
     def answer(self) -> Answer:
         """Return irradiance, mean and peak, and the radiance of a direction."""

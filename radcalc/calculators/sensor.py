@@ -168,7 +168,7 @@ def sensor(given: Inputs) -> Answer:
         placed.assume(factor.assumption, of=["photon-efficacy"])
         placed.steps += factor.steps
     _refuse_unlinked(sheet, is_linked=factor is not None)
-    laws = [*COLLECTED, *COUNTED, *OF_KIND[kind]]
+    laws = [*COLLECTED, *COUNTED, *OF_KIND.get(kind, [])]
     if "radiance" in sheet.known or set(LENS) & set(given):
         laws = [*OPTICS, *laws]
         _place_lens(sheet, placed, laws)
@@ -186,7 +186,7 @@ def sensor(given: Inputs) -> Answer:
     if solved.has("snr"):
         solved.assume("signal-to-noise ratio: shot noise only", of=["snr"])
     answer = solved.answer()
-    if kind != LUMINOUS:
+    if kind in (RADIANT, PHOTON):
         return answer
     lit = [
         value._replace(lacking=lambda: LINKS_HINT)
@@ -224,7 +224,7 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
     """Refuse inputs that need watts or photons if the light is of another kind."""
     kind = sheet.lit.kind
     lacking: tuple[str, ...] = ()
-    if kind == LUMINOUS:
+    if kind not in (RADIANT, PHOTON):
         lacking = ("photons", *DETECTOR)
     elif kind == PHOTON:
         lacking = ("responsivity",)
