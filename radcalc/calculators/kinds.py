@@ -76,6 +76,11 @@ class LightInputs(NamedTuple):
     kinds: tuple[str, ...] = KINDS
 
     @property
+    def lumens(self) -> str:
+        """The kind of the lumens of the call: those of its observer."""
+        return next(kind for kind in self.kinds if base_of(kind) == LUMINOUS)
+
+    @property
     def linked(self) -> list[str]:
         """What a link touches: the other kinds, and quantities given in them."""
         names = [name for name, item in self.values.items() if kind_of(item) != self.kind]

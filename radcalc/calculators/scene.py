@@ -68,14 +68,15 @@ def scene(
     sources: str | Sequence[Mapping[str, Any]], links: Inputs, assumptions: Sequence[str] = ()
 ) -> Scene:
     """Return the sources of a file, or of a list of dicts."""
+    lit = kinds.read_light({}, links)
     if isinstance(sources, str):
-        reader = Reader(links, dirname(sources))
+        reader = Reader(lit, dirname(sources))
         rows, notes = rows_of_file(sources)
     else:
-        reader = Reader(links)
+        reader = Reader(lit)
         rows, notes = rows_of_dicts(sources), []
     placed = reader.sources(rows)
-    lit = kinds.read_light({}, links)._replace(kind=reader.kind)
+    lit = lit._replace(kind=reader.kind)
     all_assumptions = tuple(dict.fromkeys([*assumptions, *reader.assumptions]))
     return Scene(placed, lit, all_assumptions, (*notes, *reader.notes))
 

@@ -44,8 +44,8 @@ class NamedSource(NamedTuple):
 class Reader:
     """A reader that turns rows into sources of one kind of light, with assumptions and notes."""
 
-    def __init__(self, links: Inputs, folder: str = "") -> None:
-        self.links, self.folder = links, folder
+    def __init__(self, lit: kinds.LightInputs, folder: str = "") -> None:
+        self.links, self.lumens, self.folder = lit.links, lit.lumens, folder
         self.kind = ""
         self.assumptions: dict[str, None] = {}
         self.notes: dict[str, None] = {}
@@ -245,7 +245,7 @@ class Reader:
         return self.fluxes[distribution]
 
     def amount(self, row: Row, given: Input) -> float:
-        kind = kinds.kind_of(given)
+        kind = kinds.kind_of(kinds.as_seen(given, self.lumens))
         return float(given.value) * self.in_kind(row, given.name, kind)
 
     def in_kind(self, row: Row, column: str, kind: str) -> float:
