@@ -249,7 +249,7 @@ def between_kinds(
     start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
 ) -> Powers:
     """Return the factors between two kinds and their powers; add their values and laws."""
-
+    given = spectral.behind_filter(given)
     powers: Powers = []
     if "wavelength" in given:
         from radcalc.laws import optics
