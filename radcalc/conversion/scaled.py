@@ -18,7 +18,7 @@ from radcalc.conversion import Plan, are_reciprocal, between
 from radcalc.conversion.natural import by_law
 from radcalc.errors import ConversionError, NumberError, option, quote
 from radcalc.inputs import Input
-from radcalc.quantities import describe, read
+from radcalc.quantities import PER_FREQUENCY, describe, read
 from radcalc.quantities.symbols import LINKS
 from radcalc.units import (
     FIELD_STRENGTH,
@@ -90,6 +90,12 @@ class FieldUnit(ScaleUnit):
     def with_constants(self, values: Mapping[str, float]) -> "FieldUnit":
         """Return the same unit: the constants of light meters do not affect fields."""
         return self
+
+
+JANSKY, PER_NM = (
+    "Jy_",
+    "flam_",
+)  # means of a density over a band, before its suffix; flam in W/m2/nm
 
 
 def plane_wave(unit: Unit, kind: str) -> FieldUnit:
@@ -245,11 +251,22 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
 
 
 def _in_ab(error: errors.RadcalcError, source: Unit, target: Unit) -> errors.RadcalcError:
-    """Return an error with AB magnitudes in the hint, if one of the V band is to be a density."""
+    """Return an error with the density of a band, or AB magnitudes, in the hint of a magnitude."""
     for unit, other in ((source, target), (target, source)):
-        ab = IN_AB.get(unit.scale.name) if isinstance(unit, ScaleUnit) else None
         facts = read(_unit(other))
-        if ab and facts and facts.axis and isinstance(error, errors.MissingCondition):
+        if not (isinstance(unit, ScaleUnit) and facts and facts.axis):
+            continue
+        if not isinstance(error, errors.MissingCondition):
+            continue
+        _, is_of_band, band = unit.unit.text.partition(JANSKY)
+        prefix, is_jansky, rest = other.text.partition("Jy")
+        of_frequency = facts.axis == PER_FREQUENCY
+        mean = f"{prefix if is_jansky and not rest else ''}{JANSKY}" if of_frequency else PER_NM
+        # A density at a wavelength is not the mean; a typed number keeps its unit.
+        if is_of_band and (other is target or is_jansky or other.text == "W/m2/nm"):
+            change = errors.correct(other.text, mean + band, remark="the mean over the band")
+            return error.reworded(tries=[change])
+        if ab := IN_AB.get(unit.scale.name):
             change, remark = (unit.text, ab), "if it is an AB magnitude"
             return error.reworded(
                 f"cannot convert {describe(source)} to {describe(target)}: {quote(unit.text)} is a "

@@ -406,6 +406,23 @@ def test_the_zero_points_of_magnitudes():
     assert number("convert 0 'G AB mag' flam_G") == pytest.approx(2.8154e-11, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        # 3944.573 Jy 10^-4, the zero point by Bessell's curve and -0.09 mag of Vega
+        ("10|B mag|mJy", "radcalc convert 10 'B mag' mJy_B\n     394.457 mJy_B, the mean"),
+        ("10|B mag|W/m2/nm", "radcalc convert 10 'B mag' flam_B\n"),
+        ("3600|mJy|V mag", "radcalc convert 3600 mJy_V 'V mag'\n     7.48924 V mag, the mean"),
+        ("1e-9|W/m2/nm|V mag", "radcalc convert 1e-9 flam_V 'V mag'\n"),
+    ],
+)
+def test_a_magnitude_of_a_band_is_a_mean_density_not_one_at_a_wavelength(words, hint):
+    """The hint made up a wavelength and a width: 10 B mag were 13196 Jy."""
+    done = run("convert", *words.split("|"))
+    assert done.returncode == 2
+    assert hint in done.stderr
+
+
 def test_a_magnitude_needs_a_spectrum_for_another_band():
     done = run("convert", "10", "V mag", "B mag")
     assert (done.returncode, done.stdout) == (2, "")
