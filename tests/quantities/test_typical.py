@@ -18,8 +18,9 @@ BASES = {
     "illuminance": "lx", "irradiance": "W/m2", "radiance": "W/m2/sr", "luminance": "cd/m2",
     "radiant flux": "W", "luminous flux": "lm", "solid angle": "sr", "luminous intensity": "cd",
     "photon irradiance": "umol/m2/s", "luminous efficacy": "lm/W",
+    "melanopic EDI": "EML",
 }  # fmt: skip
-SIZES = {"klx": 1e3, "mW": 1e-3, "mW/m2": 1e-3, "mol/m2/day": 1e6 / 86400}
+SIZES = {"klx": 1e3, "mW": 1e-3, "mW/m2": 1e-3, "mol/m2/day": 1e6 / 86400, "lx_mel": 1 / 0.9058}
 
 
 def value(what: str, unit: str) -> Typical:
