@@ -119,7 +119,7 @@ REFUSED = [
     ("dli 600 16", "the unit of 16 is missing", f"{600 * 16 * HOUR:.6g} mol/m2"),
     ("what is a candela", "candela of what?", "radcalc help candela"),
     ("spectrum temperature to lux-hours time 4.69hours", "unknown spectrum", "--list"),
-    ("planck 2856 K 555 nm", "no command takes", "a call of the command"),
+    ("planck 2856 K 555 nm", "no command takes", "radcalc help temperature"),
     ("spectrum {flat} --range 700nm:800nm -g ppfd", "is ambiguous", "--photon-range 700nm:800nm"),
     # 100 W/m2 of photons of 750 nm, and 200 W/m2 of 700 nm, half of which is PAR.
     (
