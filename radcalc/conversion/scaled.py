@@ -264,8 +264,8 @@ def _in_ab(error: errors.RadcalcError, source: Unit, target: Unit) -> errors.Rad
         mean = f"{prefix if is_jansky and not rest else ''}{JANSKY}" if of_frequency else PER_NM
         # A density at a wavelength is not the mean; a typed number keeps its unit.
         if is_of_band and (other is target or is_jansky or other.text == "W/m2/nm"):
-            change = errors.correct(other.text, mean + band, remark="the mean over the band")
-            return error.reworded(tries=[change])
+            of_band = errors.correct(other.text, mean + band, remark="the mean over the band")
+            return error.reworded(tries=[of_band])
         if ab := IN_AB.get(unit.scale.name):
             change, remark = (unit.text, ab), "if it is an AB magnitude"
             return error.reworded(
