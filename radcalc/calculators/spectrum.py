@@ -224,7 +224,7 @@ def _mismatch(source: Spectrum, given: Inputs, requested: Sequence[str]) -> list
         return [value("mismatch", 0.0)._replace(units=(), because=because)]
     is_dark = "dark-outside" in given
     own, reference = given["response"].value, given["reference"].value
-    ratios = [responsivity(own, one, is_dark_outside=is_dark) for one in (source, reference)]
+    ratios = [responsivity(own, one, WHOLE, is_dark_outside=is_dark) for one in (source, reference)]
     return [value("mismatch", ratios[0] / ratios[1])]
 
 

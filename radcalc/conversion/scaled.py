@@ -262,9 +262,12 @@ def _in_ab(error: errors.RadcalcError, source: Unit, target: Unit) -> errors.Rad
         prefix, is_jansky, rest = other.text.partition("Jy")
         of_frequency = facts.axis == PER_FREQUENCY
         mean = f"{prefix if is_jansky and not rest else ''}{JANSKY}" if of_frequency else PER_NM
+        in_watts = "" if of_frequency else ", in W/m2/nm"
         # A density at a wavelength is not the mean; a typed number keeps its unit.
         if is_of_band and (other is target or is_jansky or other.text == "W/m2/nm"):
-            of_band = errors.correct(other.text, mean + band, remark="the mean over the band")
+            of_band = errors.correct(
+                other.text, mean + band, remark=f"the mean over the band{in_watts}"
+            )
             return error.reworded(tries=[of_band])
         if ab := IN_AB.get(unit.scale.name):
             change, remark = (unit.text, ab), "if it is an AB magnitude"

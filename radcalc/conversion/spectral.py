@@ -628,7 +628,7 @@ def response(bridge: "Bridge", given: Input) -> Factor:
     from radcalc.spectra.spectrum import range_text
 
     dark = bridge.conditions.use("dark-outside")
-    value = responsivity(own, link.value, is_dark_outside=dark is not None)
+    value = responsivity(own, link.value, link.value.limits, is_dark_outside=dark is not None)
     if not value:
         raise errors.ConditionError(f"{own.label} does not respond to {link.text}", "another light")
     low, high = link.value.limits

@@ -135,7 +135,14 @@ OF_WEIGHTS = {
     "scotopic": "scot",
     "erythemal": "ery",
     "erythemally": "ery",
+    "erythema": "ery",
+    "ery": "ery",
+    "actinic": "act",
+    "epar": "epar",
+    "ypf": "ypf",
+    "ypfd": "ypf",
 }
+EDI = "edi"  # of melanopic light, if its title names no other
 # Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
 OTHER_LIGHT = frozenset(
     [
@@ -432,7 +439,10 @@ def _read(text: str, like: Unit | None) -> Title:
 
 def _in_its_kind(unit: Unit | None, name: str) -> Unit | None:
     """Return the unit of a title in the weighted kind that its words name: melanopic EDI [lx]."""
-    kinds = {OF_WEIGHTS[word] for word in words_of(name) if word in OF_WEIGHTS}
+    words = re.findall(r"[^\W_]+", name.lower())
+    kinds = {OF_WEIGHTS[word] for word in words if word in OF_WEIGHTS}
+    if EDI in words:
+        kinds = kinds or {OF_WEIGHTS["melanopic"]}
     if unit is None or unit.is_scale or len(kinds) != 1 or read(unit) is None:
         return unit
     return weighted(unit, *kinds)

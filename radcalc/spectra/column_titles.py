@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.files.columns import plain, units_in
-from radcalc.quantities import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
+from radcalc.quantities import PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.quantities.column_titles import read_title, refuse_altered, refuse_unknown
 from radcalc.units import Unit
 from radcalc.units.dimensions import RESPONSIVITY
@@ -319,7 +319,7 @@ def _with_short_units(text: str) -> str:
 
 
 def _is_spectral(facts: Reading) -> bool:
-    return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
+    return facts.axis == PER_WAVELENGTH and facts.kind in (RADIANT, PHOTON) and not facts.time
 
 
 def _is_word(unit: Unit, facts: Reading) -> bool:

@@ -233,11 +233,13 @@ def _refuse_uncovered(source: Spectrum, limits: Range, of_what: str) -> None:
         )
 
 
-def responsivity(own: weights.Weight, source: Spectrum, *, is_dark_outside: bool = False) -> float:
-    """Return the amperes per watt of a detector under a spectrum, over all its data."""
+def responsivity(
+    own: weights.Weight, source: Spectrum, limits: Range, *, is_dark_outside: bool = False
+) -> float:
+    """Return the amperes of a detector, over all data of a spectrum, per watt in a range."""
     if not is_dark_outside:
         _refuse_uncovered(source, own.range, f"the responsivity of {own.label}")
-    watts = source.power(source.limits)
+    watts = source.power(limits)
     if not watts > 0:
         raise ConditionError(f"{source.label} has no power", "another spectrum")
     return source.weigh(own.start, own.values, own.step) / watts

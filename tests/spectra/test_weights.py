@@ -524,3 +524,45 @@ def test_a_weight_of_definitions(tmp_path):
         refused = process("convert", *f"1 lx fc --definitions {own}".split())
         assert refused.returncode == 2
         assert said in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("title", "unit"),
+    [
+        ("mel EDI [lx]", "J_mel/m2"),
+        ("melanopic-EDI [lx]", "J_mel/m2"),
+        ("m-EDI [lx]", "J_mel/m2"),
+        ("rhodopic EDI [lx]", "J_rh/m2"),
+        ("E_ery [W/m2]", "J_ery/m2"),
+        ("UV irradiance (erythemal) [W/m2]", "J_ery/m2"),
+        ("ePAR [umol/m2/s]", "umol_epar/m2"),
+        ("edition [lx]", "lx h"),
+    ],
+)
+def test_a_title_of_a_weight_is_in_its_kind_however_it_is_spelt(title, unit, tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text(f"time [h],{title}\n0,100\n1,100\n", encoding="utf-8")
+    assert run("dose", str(path), "-q").stdout.splitlines()[0].endswith(f"\t{unit}")
+
+
+@pytest.mark.parametrize("unit", ["W_mel/m2/nm", "lx_mel/nm"])
+def test_a_spectrum_that_is_weighed_already_is_refused(unit, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"nm,{unit}\n400,1\n500,2\n", encoding="utf-8")
+    done = run("spectrum", str(path))
+    assert done.returncode == 2
+    assert "are not power or photons per wavelength" in done.stderr
+
+
+def test_a_mismatch_counts_all_watts_of_a_named_spectrum(tmp_path):
+    """Trapezoids of Planck's law of 2848 K from 300 nm to 830 nm gave 1.2176; 1.55 before."""
+    cell, flat = tmp_path / "cell.csv", tmp_path / "flat.csv"
+    cell.write_text("nm,A/W\n300,0.1\n900,0.6\n1100,0.05\n", encoding="utf-8")
+    flat.write_text("nm,W/m2/nm\n300,1\n1100,1\n", encoding="utf-8")
+    files = ("--response", str(cell), "--reference", str(flat))
+    done = run("spectrum", "A", *files, "-g", "mismatch", "--dark-outside", "-q", "-n")
+    nm = np.arange(300.0, 830.5, 0.5)
+    light = nm**-5 / np.expm1(1.435e7 / (2848 * nm))  # CIE 15: illuminant A
+    amperes_per_watt = np.sum(light * np.interp(nm, [300, 900], [0.1, 0.6])) / np.sum(light)
+    of_flat = (0.35 * 600 + 0.325 * 200) / 800
+    assert float(done.stdout) == pytest.approx(amperes_per_watt / of_flat, rel=1e-3)
