@@ -60,17 +60,16 @@ class Quantity(NamedTuple):
         return (self.names(language) or self.names("en"))[0]
 
 
-def data_rows(name: str, folder: str = "quantities/data", titles: bool = False) -> list[list[str]]:
-    """Return the rows of a table of the package, below remarks and titles, with all their cells.
-
-    With `titles` it is the row of titles alone.
-    """
+def data_rows(
+    name: str, folder: str = "quantities/data", *, with_titles: bool = False
+) -> list[list[str]]:
+    """Return the rows of a table of the package, below remarks and titles, with all their cells."""
     path = os.path.join(os.path.dirname(os.path.dirname(__file__)), folder, f"{name}.tsv")
     with open(path, encoding="utf-8") as file:
         lines = [line.rstrip("\n") for line in file if line[0] != "#"]
     count = lines[0].count("\t")
-    chosen = lines[:1] if titles else lines[1:]
-    return [(line + "\t" * (count - line.count("\t"))).split("\t") for line in chosen]
+    rows = lines if with_titles else lines[1:]
+    return [(line + "\t" * (count - line.count("\t"))).split("\t") for line in rows]
 
 
 QUANTITIES = tuple([Quantity(*row) for row in data_rows("quantities")])

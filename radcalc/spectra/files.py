@@ -4,7 +4,6 @@ Unambiguous files are read, with notes; anything else is an error with its line.
 """
 
 import math
-import os
 import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -111,11 +110,8 @@ class Curve(NamedTuple):
 
 def read_curve(path: str, column: str = "") -> Curve:
     """Read a weight, a responsivity or a transmittance from a file; its values are 0 or more."""
-    name = ""
-    if not os.path.isfile(path) and ":" in path:
-        path, _, name = path.rpartition(":")
     with reading(path, "a file with a weight") as (label, read):
-        return _CurveReader(label, read, column or name, None, path).curve()
+        return _CurveReader(label, read, column, None, path).curve()
 
 
 class SpectrumHead(Head):

@@ -276,11 +276,16 @@ class Weight(NamedTuple):
         return self.start, self.start + self.step * (len(self.values) - 1)
 
     @property
+    def grid(self) -> list[float]:
+        """The wavelengths of its points [nm]."""
+        return [self.start + self.step * k for k in range(len(self.values))]
+
+    @property
     def per_watt(self) -> "Sequence[float]":
         """The weighted light of a watt at each point: photons, if it is a weight of photons."""
         if self.acts_on == RADIANT:
             return self.values
-        return [w * photons(self.start + self.step * k) for k, w in enumerate(self.values)]
+        return [w * photons(nm) for nm, w in zip(self.grid, self.values, strict=True)]
 
     @property
     def described(self) -> str:
@@ -348,29 +353,22 @@ def _of_table(table: str, column: str) -> "Callable[[float], float]":
     """Return the function of a column of a file of data, between its points and 0 outside."""
     from radcalc.quantities.names import data_rows
 
-    lines = data_rows(table, "spectra/data")
-    titles = _titles(table)
+    titles, *lines = data_rows(table, "spectra/data", with_titles=True)
     place = titles.index(column) if column in titles else 1
     points = [(float(line[0]), float(line[place])) for line in lines if line[place]]
     grid, values = [nm for nm, _ in points], [w for _, w in points]
     if table in LOGARITHMIC:
         logs = [math.log(w) for w in values]
-        return lambda nm: math.exp(_at(grid, logs, nm)) if grid[0] <= nm <= grid[-1] else 0.0
-    return lambda nm: _at(grid, values, nm) if grid[0] <= nm <= grid[-1] else 0.0
+        return lambda nm: math.exp(at(grid, logs, nm)) if grid[0] <= nm <= grid[-1] else 0.0
+    return lambda nm: at(grid, values, nm) if grid[0] <= nm <= grid[-1] else 0.0
 
 
-def _at(grid: Sequence[float], values: Sequence[float], place: float) -> float:
-    """Return the value of a table at a place within it."""
+def at(grid: Sequence[float], values: Sequence[float], place: float) -> float:
+    """Return a table's value at a place inside it, by linear interpolation."""
     index = min(max(bisect_right(grid, place) - 1, 0), len(grid) - 2)
-    share = (place - grid[index]) / (grid[index + 1] - grid[index])
+    left, right = grid[index], grid[index + 1]
+    share = (place - left) / (right - left)
     return values[index] + (values[index + 1] - values[index]) * share
-
-
-def _titles(table: str) -> list[str]:
-    from radcalc.quantities.names import data_rows
-
-    (titles,) = data_rows(table, "spectra/data", titles=True)
-    return titles
 
 
 def names() -> dict[str, str]:

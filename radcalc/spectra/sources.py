@@ -10,7 +10,7 @@ from radcalc.files import ENDINGS
 from radcalc.quantities import PHOTON, RADIANT
 from radcalc.spectra import AXES, FORMS, example
 from radcalc.spectra import observers as weights
-from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
+from radcalc.spectra.observers import LIGHT, PLANCK, at, standard_air_wavelength
 from radcalc.spectra.observers import OWN as OWN_WEIGHTS
 from radcalc.spectra.spectrum import (
     LONGEST,
@@ -24,7 +24,6 @@ from radcalc.spectra.spectrum import (
     Range,
     Spectrum,
     Table,
-    at,
     integral,
     range_text,
 )
@@ -123,9 +122,7 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     if named:
         return named
     axis, path = axis_of(text)
-    name = ""
-    if not _is_path(path):
-        path, _, name = path.rpartition(":")
+    path, name = file_and_column(path)
     if _is_path(path):
         from radcalc.spectra.files import read_file
 
@@ -137,6 +134,12 @@ def axis_of(text: str) -> tuple[str, str]:
     """Return the unit of the wavelengths in nm:FILE, and the file; "" and the text for others."""
     axis, _, path = text.partition(":")
     return (axis, path) if path and axis in AXES and not _is_path(text) else ("", text)
+
+
+def file_and_column(text: str) -> tuple[str, str]:
+    """Return the file and the column of FILE:COLUMN, '' for the column of a file alone."""
+    path, _, name = text.rpartition(":")
+    return (text, "") if _is_path(text) or not path else (path, name)
 
 
 def _is_path(text: str) -> bool:
@@ -466,7 +469,7 @@ def weight_of(text: str) -> str:
 
 
 def _is_file(text: str) -> bool:
-    return os.path.isfile(text) or os.path.isfile(text.rpartition(":")[0])
+    return os.path.isfile(file_and_column(text)[0])
 
 
 def of_file(path: str, name: str) -> str:
@@ -502,7 +505,7 @@ def _curve(path: str) -> tuple[str, weights.Weight]:
     from radcalc.units.dimensions import RESPONSIVITY
     from radcalc.units.table import unit_of
 
-    curve = read_curve(path)
+    curve = read_curve(*file_and_column(path))
     start, end = curve.grid[0], curve.grid[-1]
     for step in STEPS_OF_FILES:
         offsets = [(x - start) / step for x in curve.grid]
@@ -534,10 +537,8 @@ def response_of(path: str) -> weights.Weight:
     name, own = _curve(path)
     if own.acts_on == PHOTON:
         charge = constant("elementary_charge")
-        amperes = [
-            w * charge * weights.photons(own.start + own.step * k) for k, w in enumerate(own.values)
-        ]
-        return own._replace(acts_on=CURRENT, values=tuple(amperes))
+        amperes = tuple([charge * photons for photons in own.per_watt])
+        return own._replace(acts_on=CURRENT, values=amperes)
     if own.acts_on != CURRENT:
         problem = f"the title of {name} does not state A/W or a quantum efficiency"
         raise errors.ConditionError(problem, "a title such as: responsivity (A/W)")
@@ -580,8 +581,7 @@ def through(source: Spectrum, own: weights.Weight) -> Spectrum:
         raise errors.ConditionError(
             f"the filter {own.label} has no value where {source.label} has", ""
         )
-    steps = math.floor((own.range[1] - own.range[0]) / own.step + 1e-6)
-    points = {own.start + own.step * k for k in range(steps + 1)}
+    points = {*own.grid}
     if isinstance(source, BlackBody):
         points |= {float(nm) for nm in range(math.ceil(low), math.floor(high) + 1)}
         grid = sorted({low, high, *[x for x in points if low <= x <= high]})

@@ -12,7 +12,7 @@ from typing import Any
 from radcalc.errors import ConditionError
 from radcalc.maths import frozen
 from radcalc.spectra import observers
-from radcalc.spectra.observers import Observer
+from radcalc.spectra.observers import Observer, at
 
 Grid = Sequence[float]
 
@@ -25,14 +25,6 @@ def clip(grid: Grid, values: Grid, low: float, high: float) -> tuple[list[float]
     first, last = bisect_right(grid, low), bisect_left(grid, high)
     inner, inner_values = list(grid[first:last]), list(values[first:last])
     return ([low, *inner, high], [at(grid, values, low), *inner_values, at(grid, values, high)])
-
-
-def at(grid: Grid, values: Grid, place: float) -> float:
-    """Return a table's value at a place inside it, by linear interpolation."""
-    index = min(max(bisect_right(grid, place) - 1, 0), len(grid) - 2)
-    left, right = grid[index], grid[index + 1]
-    share = (place - left) / (right - left)
-    return values[index] + (values[index + 1] - values[index]) * share
 
 
 def trapezoid(grid: Grid, values: Grid) -> float:
