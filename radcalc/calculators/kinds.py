@@ -13,6 +13,7 @@ from radcalc.answer import Remark, Step, Value, format_number, format_value, let
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, value
 from radcalc.errors import option, options
 from radcalc.inputs import Input, Inputs
+from radcalc.inputs.quantities import as_seen
 from radcalc.laws import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
@@ -29,7 +30,6 @@ from radcalc.quantities import (
     ratio_unit,
     symbols,
 )
-from radcalc.quantities import names as units_in
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units import Dimension
@@ -39,7 +39,7 @@ from radcalc.units.table import resolve
 
 def dimension(name: str, kind: str) -> Dimension:
     """Return the dimension of a light quantity (generic name) in a kind."""
-    if kind in KINDS:
+    if kind in KINDS:  # the usual call
         return SYMBOLS[name].dimensions[KINDS.index(kind)]
     return of_kind(SYMBOLS[name].dimensions[KINDS.index(base_of(kind))], kind)
 
@@ -149,17 +149,6 @@ def _in_kinds(typed: Inputs, links: Inputs) -> tuple[Inputs, Inputs, tuple[str, 
     if "weight" in links:
         wanted.append(links["weight"].value)
     return typed, others, tuple(dict.fromkeys(wanted))
-
-
-def as_seen(given: Input, kind: str) -> Input:
-    """Return an input of lumens, or an efficacy, as one of an observer's kind."""
-    if given.unit is None or given.symbol.form != symbols.QUANTITY:
-        return given
-    unit = units_in.as_seen(given.unit, kind)
-    symbol = given.symbol
-    if symbol.kind == LUMINOUS and unit is not given.unit:
-        symbol = symbols.symbol_in(symbol.generic, kind)._replace(name=given.name)
-    return given._replace(symbol=symbol, unit=unit, dimension=unit.dimension)
 
 
 def _by_generic_names(typed: Inputs) -> tuple[Inputs, Inputs, list[str]]:

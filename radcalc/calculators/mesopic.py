@@ -1,12 +1,12 @@
 """Mesopic luminance by CIE 191:2010."""
 
 from radcalc.answer import Answer
-from radcalc.calculators.kinds import as_seen
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, quote
 from radcalc.inputs import Input, Inputs, require
+from radcalc.inputs.quantities import as_seen
 from radcalc.laws.photometry import MESOPIC_LAWS
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import SCOTOPIC

@@ -19,6 +19,7 @@ from radcalc.errors import quote
 from radcalc.geometry.projections import Vector, minus
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import IN_METRES
+from radcalc.inputs.quantities import as_seen
 from radcalc.inputs.reading import read_as
 from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
@@ -245,7 +246,7 @@ class Reader:
         return self.fluxes[distribution]
 
     def amount(self, row: Row, given: Input) -> float:
-        kind = kinds.kind_of(kinds.as_seen(given, self.lumens))
+        kind = kinds.kind_of(as_seen(given, self.lumens))
         return float(given.value) * self.in_kind(row, given.name, kind)
 
     def in_kind(self, row: Row, column: str, kind: str) -> float:

@@ -7,6 +7,7 @@ from radcalc.answer import Formula, Step, format_number
 from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
 from radcalc.inputs import Input, Inputs, require
+from radcalc.inputs.quantities import as_seen
 from radcalc.quantities import (
     FLUX,
     KIND_NAMES,
@@ -221,7 +222,7 @@ def in_kinds(
         if condition.name == "observer":
             kind = kind_of_observer(condition.value)
             source, target = names.as_seen(source, kind), names.as_seen(target, kind)
-            given = [_efficacy_as_seen(one, kind) for one in given]
+            given = [as_seen(one, kind) for one in given]
             lumens = [one.unit for one in given if one.name == "efficacy" and one.unit]
             if not any(names.is_seen(unit, kind) for unit in (source, target, *lumens)):
                 raise errors.Unused(["observer"], "without lumens")
@@ -248,14 +249,6 @@ def behind_filter(given: Inputs) -> Inputs:
     spectrum, others = given["spectrum"], {**given}
     filtered = through(spectrum.value, others.pop("filter").value)
     return {**others, "spectrum": spectrum._replace(value=filtered)}
-
-
-def _efficacy_as_seen(given: Input, kind: str) -> Input:
-    """Return an efficacy of lumens as that of the lumens of an observer's kind."""
-    if given.name != "efficacy" or given.unit is None:
-        return given
-    unit = names.as_seen(given.unit, kind)
-    return given._replace(unit=unit, dimension=unit.dimension)
 
 
 class Refined(NamedTuple):

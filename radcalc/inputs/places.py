@@ -362,34 +362,21 @@ def _is_length(text: str) -> bool:
         return False
 
 
-def weight_input(symbol: Symbol, value: Any) -> Input:
-    """Read the name of a weight, or a file with one; its value is its kind."""
-    from radcalc.spectra.sources import weight_of
+def file_input(symbol: Symbol, value: Any) -> Input:
+    """Read a weight, whose value is its kind, a responsivity or transmittances of files."""
+    from radcalc.spectra import sources
 
+    readers: dict[str, Callable[[str], Any]] = {
+        symbols.WEIGHT: sources.weight_of,
+        symbols.RESPONSE: sources.response_of,
+        symbols.FILTER: sources.transmittance_of,
+    }
     text = str(value).strip()
-    return Input(symbol, text, weight_of(text))
-
-
-def response_input(symbol: Symbol, value: Any) -> Input:
-    """Read the file of a responsivity."""
-    from radcalc.spectra.sources import response_of
-
-    text = str(value).strip()
-    return Input(symbol, text, response_of(text))
-
-
-def filter_input(symbol: Symbol, value: Any) -> Input:
-    """Read the files of transmittances."""
-    from radcalc.spectra.sources import transmittance_of
-
-    text = str(value).strip()
-    return Input(symbol, text, transmittance_of(text))
+    return Input(symbol, text, readers[symbol.form](text))
 
 
 READERS = {
-    symbols.RESPONSE: response_input,
-    symbols.FILTER: filter_input,
-    symbols.WEIGHT: weight_input,
+    **dict.fromkeys((symbols.WEIGHT, symbols.RESPONSE, symbols.FILTER), file_input),
     symbols.POINT: point_input,
     symbols.VECTOR: vector_input,
     symbols.GRID: grid_input,

@@ -9,9 +9,17 @@ from radcalc.errors import option, quote
 from radcalc.floats import divide
 from radcalc.inputs import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
-from radcalc.quantities import describe
+from radcalc.quantities import LUMINOUS, describe, names
 from radcalc.quantities import read as read_light
-from radcalc.quantities.symbols import READINGS, SPECTRUM, SYMBOLS, Symbol, is_alone, specific_name
+from radcalc.quantities.symbols import (
+    QUANTITY,
+    READINGS,
+    SPECTRUM,
+    SYMBOLS,
+    Symbol,
+    is_alone,
+    specific_name,
+)
 from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import ANGLE, SOLID_ANGLE, TIME
 from radcalc.units.numbers import Amount, parse_number, relative_rounding
@@ -26,6 +34,17 @@ if TYPE_CHECKING:
 MARKED = {"f-number": "f/", "nd": "nd"}  # prefixes of numbers: f/8,f/11 is a list, not 8.11
 MARKS_OF_STOPS = range(101, 114)  # marks of filters for 1 to 13 stops
 DIFFERENCES = ("temperature-rise",)  # may be in degrees Celsius, but not in mired
+
+
+def as_seen(given: Input, kind: str) -> Input:
+    """Return an input of lumens, or an efficacy, as one of an observer's kind."""
+    if given.unit is None or given.symbol.form != QUANTITY:
+        return given
+    unit = names.as_seen(given.unit, kind)
+    symbol = given.symbol
+    if symbol.kind == LUMINOUS and unit is not given.unit:
+        symbol = SYMBOLS[specific_name(symbol.generic, kind)]._replace(name=given.name)
+    return given._replace(symbol=symbol, unit=unit, dimension=unit.dimension)
 
 
 def moved(given: Input, shift: float) -> Input:

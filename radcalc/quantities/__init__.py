@@ -382,8 +382,6 @@ def coherent_text(reading: Reading) -> str:
     """Return the coherent SI unit of a light quantity as text."""
     if reading.retinal:
         return "td"
-    if reading.kind in FLUX:
-        return _plain_text(reading)
     return with_suffix(_plain_text(reading._replace(kind=base_of(reading.kind))), reading.kind)
 
 

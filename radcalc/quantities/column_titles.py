@@ -144,31 +144,8 @@ OF_WEIGHTS = {
 }
 EDI = "edi"  # of melanopic light, if its title names no other
 # Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
-OTHER_LIGHT = frozenset(
-    [
-        "melanopic",
-        "rhodopic",
-        "cyanopic",
-        "chloropic",
-        "erythropic",
-        "scotopic",
-        "medi",
-        "edi",
-        "uva",
-        "uvb",
-        "uvc",
-        "uv",
-        "uvi",
-        "erythemal",
-        "ery",
-        "longwave",
-        "lw",
-        "lwin",
-        "lwout",
-        "infrared",
-        "nir",
-    ]
-)
+OF_BANDS = ("uva", "uvb", "uvc", "uv", "uvi", "longwave", "lw", "lwin", "lwout", "infrared", "nir")
+OTHER_LIGHT = frozenset([*OF_WEIGHTS, EDI, *OF_BANDS])
 NAMES_OF_PAR = ("par", "qpar", "фар")
 COMPARED = 1000  # titles to search for names similar to an unknown one
 

@@ -426,9 +426,8 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
         return [_target(f.quantity, f.note) for f in matches]
     if kind := {comparable(row[0]): suffix for suffix, row in WEIGHTS.items()}.get(folded):
         reading = read(source) if source else None
-        geometry = reading.geometry if reading else (0, 1, 0)
-        text = LIGHT_UNITS.get(geometry, LIGHT_UNITS[0, 1, 0])[0][KINDS.index(base_of(kind))]
-        unit = with_suffix(text, kind)
+        geometry = reading.geometry if reading and reading.geometry in LIGHT_UNITS else (0, 1, 0)
+        unit = _usual_unit(geometry, kind)
         return [Target(name_of(resolve(unit)), unit)]
     other = index().others.get(folded)
     target = _other_target(other) if other else None
@@ -448,6 +447,10 @@ def _of_kinds(name: str, source: Unit | None) -> list[Target]:
     return targets
 
 
+def _usual_unit(geometry: tuple[int, int, int], kind: str) -> str:
+    return with_suffix(LIGHT_UNITS[geometry][0][KINDS.index(base_of(kind))], kind)
+
+
 def _plain(name: str, kind: str) -> str:
     return specific_name(name, kind).replace("-", " ")
 
@@ -456,9 +459,7 @@ def _target(quantity: Quantity, note: str = "") -> Target:
     reading = read(resolve(quantity.unit))
     unit = quantity.unit
     if reading and not reading.axis and not reading.retinal:
-        unit = with_suffix(
-            LIGHT_UNITS[reading.geometry][0][KINDS.index(base_of(reading.kind))], reading.kind
-        )
+        unit = _usual_unit(reading.geometry, reading.kind)
     name = quantity.name(ENGLISH)
     return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
 

@@ -739,11 +739,10 @@ LIGHT_UNITS = {
 
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
     """Return the unit of display, or the coherent unit, of a light quantity with a generic name."""
-    geometry = _LIGHT_ROWS[name][1]
-    base = base_of(kind) if kind in WEIGHTS else kind
-    text = LIGHT_UNITS[geometry][coherent][KINDS.index(base)]
-    text = "lm/m2" if text == "lx" and name == "exitance" else text
-    return with_suffix(text, kind) if kind in WEIGHTS else text
+    if kind in WEIGHTS:
+        return with_suffix(light_unit(name, base_of(kind), coherent), kind)
+    text = LIGHT_UNITS[_LIGHT_ROWS[name][1]][coherent][KINDS.index(kind)]
+    return "lm/m2" if text == "lx" and name == "exitance" else text
 
 
 def _of_light(
@@ -789,11 +788,6 @@ def specific_name(generic: str, kind: str) -> str:
 
 def _joined(name: str) -> str:
     return name.lower().replace(" ", "-")
-
-
-def symbol_in(generic: str, kind: str) -> Symbol:
-    """Return the row of a light quantity in a kind, which may be a weighted one."""
-    return SYMBOLS[specific_name(generic, kind)]
 
 
 def generic_name(name: str) -> str:
